@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "app/cli/command.h"
+
+namespace mirrorarm::cli {
+
+// One a file: app/cli/command_<name>.cpp. Each adds its subcommand; its callback runs while parsing.
+
+}  // namespace mirrorarm::cli

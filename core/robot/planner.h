@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/common/expected.h"
+#include "core/common/time.h"
+#include "core/robot/arm_description.h"
+
+namespace mirrorarm::robot {
+
+/// A box the arm must not enter, in base frame B.
+struct Obstacle {
+  RigidTransform X_BO = RigidTransform::Identity();  ///< its centre
+  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
+};
+
+struct PlannerSettings {
+  double resolution_rad = 0.02;           ///< largest joint step between two collision checks
+  double max_joint_range_rad = 1.0;       ///< a path that moves one joint further than this from both ends is rejected
+  Seconds max_time{0.5};
+  std::uint64_t seed = 1;
+};
+
+/// Why there is no path.
+enum class PlanError { kStartBlocked, kGoalBlocked, kNoPath, kJointRange };
+/// "start_blocked", ...
+[[nodiscard]] std::string_view id(PlanError error);
+
+struct PlannedPath {
+  std::vector<Joints> waypoints;  ///< after the start, the goal last
+  bool direct = true;             ///< the straight joint motion was clear
+};
+
+/// Self-collision and obstacles of one arm (FCL inside), and paths around them (RRT-Connect of OMPL), tried only
+/// when the straight joint motion is blocked. One thread.
+/// Source: paper section 2.4; Kuffner, LaValle, ICRA 2000.
+class Planner {
+ public:
+  /// `attached` are shapes fixed to the flange (link = jointCount()): camera bar, sling.
+  Planner(const ArmDescription& arm, std::span<const Capsule> attached, std::span<const Obstacle> obstacles,
+          const PlannerSettings& settings);
+  ~Planner();
+
+  [[nodiscard]] bool collides(const Joints& q) const;
+  [[nodiscard]] bool directIsClear(const Joints& from, const Joints& to) const;
+  [[nodiscard]] Expected<PlannedPath, PlanError> plan(const Joints& from, const Joints& to);
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace mirrorarm::robot

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/camera/frame_source.h"
+#include "core/camera/stereo_rig.h"
+#include "core/common/file_error.h"
+#include "core/common/time_source.h"
+#include "core/robot/arm_description.h"
+#include "core/robot/robot_link.h"
+#include "core/simulation/arm_motion.h"
+
+namespace mirrorarm::simulation {
+
+/// Way points of a minimum-jerk movement, as therapy::Exercise gives them.
+struct MinimumJerkLeg {
+  Eigen::Vector3d displacement_m = Eigen::Vector3d::Zero();
+  double forearm_turn_rad = 0.0;
+  double duration_s = 2.0;
+  double rest_s = 0.5;
+};
+
+struct BenchSettings {
+  std::filesystem::path resources;  ///< the project's resources folder
+  camera::LensModel lens = camera::LensModel::kKannalaBrandt;
+  std::filesystem::path motion;       ///< a TRC file whose forearm markers carry the discs; empty: `legs`
+  std::vector<MinimumJerkLeg> legs;   ///< used without `motion`
+  double rate_hz = 24.0;
+  Seconds exposure{0.0015};
+  Seconds transfer{0.020};  ///< from the end of the exposure until the frame is handed out
+  std::uint64_t seed = 1;
+  bool own_pace = true;  ///< frames and states wait for the time source (real time); false: asked in lockstep
+};
+
+/// A bench that needs no hardware: LBR 4+ with stereo camera and sling on its flange, a passive impaired arm in the
+/// sling, a healthy forearm with ten discs beside it. Everything moves in one world, so the cameras see what the
+/// robot does. Cameras and robot are used from their own threads; truth and faults from any.
+class Bench {
+ public:
+  /// `time` outlives the bench. Refused: missing or wrong resources, a TRC that lacks forearm markers.
+  [[nodiscard]] static FromFile<std::unique_ptr<Bench>> make(const BenchSettings& settings, const TimeSource& time);
+  ~Bench();
+
+  [[nodiscard]] camera::FrameSource& cameras();
+  [[nodiscard]] robot::RobotLink& robot();
+  [[nodiscard]] const camera::StereoRig& rig() const;
+  [[nodiscard]] const robot::ArmDescription& arm() const;
+  [[nodiscard]] const RigidTransform& X_FC() const;  ///< camera on the flange
+  [[nodiscard]] const RigidTransform& X_FE() const;  ///< sling on the flange
+  /// Camera bar and sling, fixed to the flange.
+  [[nodiscard]] const std::vector<robot::Capsule>& attached() const;
+
+  /// The simulated patient moves the healthy arm while true; starting and stopping are smooth. Any thread.
+  void setPatientMoving(bool moving);
+
+  /// What is truly there at one time.
+  struct Truth {
+    std::vector<Disc> discs;        ///< of the healthy forearm
+    RigidTransform X_BF;            ///< flange
+    ArmMotion::Forearm healthy;
+    ArmMotion::Forearm impaired;    ///< wrist in the sling, elbow beside the body
+  };
+  [[nodiscard]] Truth truthAt(TimePoint time) const;
+
+  /// Faults, for tests and for the start-of-day check. Any thread.
+  void failCameras(bool failed);
+  void hideTarget(bool hidden);
+  void silenceRobot(bool silent);
+
+ private:
+  struct Body;
+  explicit Bench(std::unique_ptr<Body> body);
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace mirrorarm::simulation

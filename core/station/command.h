@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/therapy/movement_mapping.h"
+#include "core/therapy/session_phase.h"
+
+namespace mirrorarm::station {
+
+/// One wish of the operator. Stopping is not among them: Station::stop() goes past every queue.
+struct Command {
+  therapy::Action action = therapy::Action::kTeach;
+  therapy::Mapping mapping = therapy::Mapping::kFollow;  ///< for kAlign
+};
+
+/// What became of a wish.
+enum class Answer {
+  kAccepted,
+  kNotNow,         ///< not allowed in this phase
+  kStopLatched,    ///< reset the stop first
+  kTargetUnseen,   ///< aligning and starting need the target in view
+  kTooFewMarkers,  ///< teaching saw fewer than three markers, or three on a line
+  kQueueFull,      ///< refused at once; ask again
+};
+/// "accepted", "not_now", ...
+[[nodiscard]] std::string_view id(Answer answer);
+
+}  // namespace mirrorarm::station

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/camera/stereo_frame.h"
+#include "core/control/follower.h"
+#include "core/control/servo_loop.h"
+#include "core/station/command.h"
+#include "core/therapy/session_phase.h"
+#include "core/tracking/target.h"
+#include "core/tracking/tracked_target.h"
+#include "core/vision/stereo_observation.h"
+
+namespace mirrorarm::station {
+
+/// What the tracking thread says of one frame: images, markers, targets. Made once, shared, never changed.
+struct TrackedFrame {
+  camera::StereoFrame frame;
+  vision::StereoObservation observation;
+  std::vector<tracking::TrackedTarget> targets;
+  double vision_ms = 0.0;    ///< from images to points
+  double tracking_ms = 0.0;  ///< from points to poses
+  std::uint64_t lost_frames = 0;  ///< by the source or because tracking was busy, since the start
+};
+
+/// What the control thread says at one time.
+struct ControlState {
+  TimePoint time{};
+  therapy::Phase phase = therapy::Phase::kPrepare;
+  control::ServoState servo;
+  control::FollowOutcome follow = control::FollowOutcome::kHeld;
+  RigidTransform X_BF = RigidTransform::Identity();       ///< flange, measured
+  RigidTransform X_BT = RigidTransform::Identity();       ///< target in base, good while `target_fresh`
+  RigidTransform X_BE_goal = RigidTransform::Identity();  ///< good while `has_goal`
+  bool target_fresh = false;
+  bool has_goal = false;
+  robot::Trajectory trajectory;  ///< in force, for drawing
+  double session_s = 0.0;        ///< since the session began, 0 before
+  int repetitions = 0;           ///< so far
+  double lag_ms = 0.0;           ///< over the last seconds, 0 until it can be told
+  Answer last_answer = Answer::kAccepted;  ///< to the newest command taken from the queue
+  std::uint32_t answers = 0;               ///< commands answered since the start
+  int taught_markers = 0;        ///< while teaching: markers so far
+  std::uint64_t lost_samples = 0;          ///< samples that the recorder could not take
+};
+
+/// All that a screen needs, taken at its own beat.
+struct Snapshot {
+  std::shared_ptr<const TrackedFrame> frame;  ///< nullptr before the first one
+  std::shared_ptr<const tracking::Target> target;  ///< taught model; nullptr before
+  ControlState control;
+};
+
+}  // namespace mirrorarm::station

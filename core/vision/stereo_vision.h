@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/camera/stereo_frame.h"
+#include "core/camera/stereo_rig.h"
+#include "core/vision/marker_finder.h"
+#include "core/vision/stereo_matcher.h"
+#include "core/vision/stereo_observation.h"
+
+namespace mirrorarm::vision {
+
+/// From two raw images to 3D points: markers left and right in parallel, matched and triangulated.
+/// One thread calls it (the tracking thread); it owns a second one for the right image.
+class StereoVision {
+ public:
+  StereoVision(const camera::StereoRig& rig, const FinderSettings& finder, const MatcherSettings& matcher);
+  ~StereoVision();
+  StereoVision(const StereoVision&) = delete;
+  StereoVision& operator=(const StereoVision&) = delete;
+
+  /// Images of another size than the rig's give an observation without markers.
+  [[nodiscard]] StereoObservation observe(const camera::StereoFrame& frame);
+
+  /// The discs that are expected next, to look only around them; empty for the whole image.
+  void expect(std::span<const Eigen::Vector3d> points_C, double radius_m);
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace mirrorarm::vision
