@@ -9,6 +9,7 @@
 #include "core/control/follower.h"
 #include "core/control/servo_loop.h"
 #include "core/station/command.h"
+#include "core/therapy/session_measures.h"
 #include "core/therapy/session_phase.h"
 #include "core/tracking/target.h"
 #include "core/tracking/tracked_target.h"
@@ -20,10 +21,12 @@ namespace mirrorarm::station {
 struct TrackedFrame {
   camera::StereoFrame frame;
   vision::StereoObservation observation;
-  std::vector<tracking::TrackedTarget> targets;
-  double vision_ms = 0.0;    ///< from images to points
-  double tracking_ms = 0.0;  ///< from points to poses
+  std::vector<tracking::TrackedTarget> targets;  ///< empty before a target is taught
+  std::shared_ptr<const tracking::Target> target;  ///< the taught model; nullptr before
+  double vision_ms = 0.0;         ///< from images to points
+  double tracking_ms = 0.0;       ///< from points to poses
   std::uint64_t lost_frames = 0;  ///< by the source or because tracking was busy, since the start
+  int reteachings = 0;            ///< how often the model was taught anew in this session
 };
 
 /// What the control thread says at one time.
@@ -39,19 +42,34 @@ struct ControlState {
   bool has_goal = false;
   robot::Trajectory trajectory;  ///< in force, for drawing
   double session_s = 0.0;        ///< since the session began, 0 before
-  int repetitions = 0;           ///< so far
-  double lag_ms = 0.0;           ///< over the last seconds, 0 until it can be told
   Answer last_answer = Answer::kAccepted;  ///< to the newest command taken from the queue
   std::uint32_t answers = 0;               ///< commands answered since the start
-  int taught_markers = 0;        ///< while teaching: markers so far
-  std::uint64_t lost_samples = 0;          ///< samples that the recorder could not take
+  int taught_markers = 0;                  ///< while teaching: markers so far
+  std::uint64_t lost_reports = 0;          ///< frames that reached neither control nor record
+};
+
+/// How the record stands.
+enum class Recording : std::uint8_t {
+  kIdle,      ///< no session yet, or nothing is to be recorded
+  kWriting,   ///< on the disc but for the last moment
+  kComplete,  ///< finished; the report can be made
+  kFailed,    ///< the store refuses; what was written before stays
+};
+/// "idle", "writing", "complete", "failed".
+[[nodiscard]] std::string_view id(Recording recording);
+
+struct RecordState {
+  Recording recording = Recording::kIdle;
+  std::int64_t session = 0;             ///< its id in the store, 0 before
+  therapy::SessionMeasures measures;    ///< of the last seconds while writing, of the session when complete
+  std::uint64_t lost_samples = 0;       ///< samples that did not reach the store
 };
 
 /// All that a screen needs, taken at its own beat.
 struct Snapshot {
   std::shared_ptr<const TrackedFrame> frame;  ///< nullptr before the first one
-  std::shared_ptr<const tracking::Target> target;  ///< taught model; nullptr before
   ControlState control;
+  RecordState record;
 };
 
 }  // namespace mirrorarm::station
