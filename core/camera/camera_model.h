@@ -1,14 +1,15 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string_view>
 
+#include <Eigen/Core>
+
 namespace mirrorarm::camera {
 
 enum class LensModel {
-  kBrownConrady,  ///< pinhole with radial k1 k2 [p1 p2 [k3]]; Brown 1971, the paper's with two radial terms
+  kBrownConrady,   ///< pinhole with radial k1 k2 [p1 p2 [k3]]; Brown 1971, the paper's with two radial terms
   kKannalaBrandt,  ///< fisheye, angle polynomial k1..k4; Kannala and Brandt, PAMI 28(8), 2006
 };
 
@@ -30,7 +31,8 @@ struct Intrinsics {
   std::array<double, 5> distortion{};
 };
 
-/// Projects points of camera frame C (x right, y down, z forward) into raw pixels and back. A value; any thread.
+/// Projects points of camera frame C (x right, y down, z forward) into raw pixels and back. A value; any
+/// thread.
 class CameraModel {
  public:
   using ProjectJacobian = Eigen::Matrix<double, 2, 3>;
@@ -51,14 +53,16 @@ class CameraModel {
   /// lens model's range, or at 90 degrees and more from the axis. Exact to 1e-10.
   [[nodiscard]] std::optional<Eigen::Vector2d> unproject(const Eigen::Vector2d& pixel) const;
   /// The same with d(x, y)/d(pixel) [1/px].
-  [[nodiscard]] std::optional<Eigen::Vector2d> unproject(const Eigen::Vector2d& pixel, UnprojectJacobian& J) const;
+  [[nodiscard]] std::optional<Eigen::Vector2d> unproject(const Eigen::Vector2d& pixel,
+                                                         UnprojectJacobian& J) const;
 
   /// True when a pixel lies inside the image, `margin_px` away from its border.
   [[nodiscard]] bool sees(const Eigen::Vector2d& pixel, double margin_px = 0.0) const;
 
  private:
   Intrinsics intrinsics_;
-  double max_radius_ = 0.0;  ///< largest undistorted radius (brown_conrady) or angle (kannala_brandt) that is valid
+  double max_radius_ =
+      0.0;  ///< largest undistorted radius (brown_conrady) or angle (kannala_brandt) that is valid
 };
 
 }  // namespace mirrorarm::camera

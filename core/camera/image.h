@@ -7,8 +7,8 @@
 
 namespace mirrorarm::camera {
 
-/// A look at an 8-bit grey image that somebody else keeps alive. Pixel (x, y): x to the right, y down, centres
-/// at integers.
+/// A look at an 8-bit grey image that somebody else keeps alive. Pixel (x, y): x to the right, y down,
+/// centres at integers.
 struct ImageView {
   const std::uint8_t* data = nullptr;
   int width_px = 0;

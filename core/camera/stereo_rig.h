@@ -9,9 +9,9 @@ namespace mirrorarm::camera {
 
 /// Where a calibration came from; every line is optional.
 struct CalibrationNote {
-  std::string date;      ///< ISO 8601
-  std::string method;    ///< what solved it
-  double rms_px = 0.0;   ///< reprojection error of the views used; 0 when unknown
+  std::string date;                   ///< ISO 8601
+  std::string method;                 ///< what solved it
+  double rms_px = 0.0;                ///< reprojection error of the views used; 0 when unknown
   double hold_out_epipolar_px = 0.0;  ///< on views not used; 0 when unknown
   std::string left_serial;
   std::string right_serial;

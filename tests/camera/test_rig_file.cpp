@@ -1,0 +1,126 @@
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/camera/rig_file.h"
+
+namespace mirrorarm::camera {
+namespace {
+
+const std::string kRig =
+    "format: mirrorarm/rig/1\n"
+    "image_size_px: [1296, 964]\n"
+    "left:\n"
+    "  model: brown_conrady\n"
+    "  fx_px: 720.9\n"
+    "  fy_px: 719.4\n"
+    "  cx_px: 651.7\n"
+    "  cy_px: 478.3\n"
+    "  distortion: [-0.21, 0.045]\n"
+    "right:\n"
+    "  model: kannala_brandt\n"
+    "  fx_px: 551.2\n"
+    "  fy_px: 550.7\n"
+    "  cx_px: 640.1\n"
+    "  cy_px: 490.4\n"
+    "  distortion: [-0.03, 0.004, -0.003, 0.0004]\n"
+    "right_from_left:\n"
+    "  rotation_xyzw: [0.001, -0.02, 0.003, 0.9997950]\n"
+    "  translation_m: [-0.12, 0.0003, 0.001]\n"
+    "calibration: {date: 2024-03-01, method: chessboard, rms_px: 0.21, operator: A}\n";
+
+class RigFile : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& text) {
+    std::ofstream(file_, std::ios::binary) << text;
+    return file_;
+  }
+  FromFile<StereoRig> readWith(const std::string& from, const std::string& to) {
+    auto text = kRig;
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos);
+    return readRig(write(text.replace(at, from.size(), to)));
+  }
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() / ("mirrorarm_rig_" + std::to_string(::getpid()) + ".yaml");
+};
+
+TEST_F(RigFile, IsRead) {
+  const auto rig = readRig(write(kRig));
+  ASSERT_TRUE(rig) << describe(rig.error());
+  EXPECT_EQ(rig->left.intrinsics().distortion[1], 0.045);
+  EXPECT_EQ(rig->right.intrinsics().model, LensModel::kKannalaBrandt);
+  EXPECT_EQ(rig->right.intrinsics().width_px, 1296);
+  EXPECT_NEAR(rig->X_RC.translation().x(), -0.12, 1e-15);
+  EXPECT_TRUE(isRigid(rig->X_RC, 1e-12));
+  EXPECT_EQ(rig->calibration.method, "chessboard");
+  EXPECT_EQ(rig->calibration.rms_px, 0.21);
+}
+
+TEST_F(RigFile, ComesBackAsWritten) {
+  auto rig = *readRig(write(kRig));
+  rig.calibration.left_serial = "02-2142 \"A\" \\";
+  ASSERT_TRUE(writeRig(file_, rig));
+  const auto back = readRig(file_);
+  ASSERT_TRUE(back) << describe(back.error());
+  EXPECT_EQ(back->left.intrinsics().fx_px, rig.left.intrinsics().fx_px);
+  EXPECT_EQ(back->right.intrinsics().distortion, rig.right.intrinsics().distortion);
+  EXPECT_LT((back->X_RC.matrix() - rig.X_RC.matrix()).norm(), 1e-14);
+  EXPECT_EQ(back->calibration.left_serial, rig.calibration.left_serial);
+  EXPECT_EQ(back->calibration.date, "2024-03-01");
+}
+
+TEST_F(RigFile, RefusalsNameLineAndKey) {
+  const auto wrong = readWith("fy_px: 719.4", "fy_px: .nan");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().line, 6);
+  EXPECT_NE(wrong.error().reason.find("left.fy_px"), std::string::npos);
+}
+
+TEST_F(RigFile, RefusesWhatItDoesNotKnow) {
+  EXPECT_FALSE(readWith("rig/1", "rig/2"));
+  EXPECT_FALSE(readWith("brown_conrady", "pinhole"));
+  EXPECT_FALSE(readWith("cx_px: 651.7", "cx_px: 651.7\n  skew: 0.1"));
+  EXPECT_FALSE(readWith("right_from_left", "left_from_right"));
+}
+
+TEST_F(RigFile, RefusesNumbersThatCannotBe) {
+  EXPECT_FALSE(readWith("fx_px: 720.9", "fx_px: -720.9"));
+  EXPECT_FALSE(readWith("fx_px: 720.9", "fx_px: 0"));
+  EXPECT_FALSE(readWith("[1296, 964]", "[1296, 0]"));
+  EXPECT_FALSE(readWith("[1296, 964]", "[1296, 964, 1]"));
+  EXPECT_FALSE(readWith("[1296, 964]", "[1296.5, 964]"));
+  EXPECT_FALSE(readWith("[-0.21, 0.045]", "[-0.21]"));
+  EXPECT_FALSE(readWith("[-0.21, 0.045]", "[-0.21, inf]"));
+  EXPECT_FALSE(readWith("-0.003, 0.0004]", "-0.003]"));
+  EXPECT_FALSE(readWith("0.9997950", "0.5"));
+  EXPECT_FALSE(readWith("[-0.12, 0.0003, 0.001]", "[0, 0, 0]"));
+}
+
+TEST_F(RigFile, MissingFileIsNamed) {
+  const auto rig = readRig("/nowhere/rig.yaml");
+  ASSERT_FALSE(rig);
+  EXPECT_EQ(rig.error().file, "/nowhere/rig.yaml");
+}
+
+TEST_F(RigFile, DamageNeverCrashesTheReader) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 1500; ++i) {
+    auto text = kRig.substr(0, i % 3 == 0 ? random() % kRig.size() : kRig.size());
+    for (int change = 0; change < 4 && !text.empty(); ++change)
+      text[random() % text.size()] = static_cast<char>(random() % 256);
+    const auto rig = readRig(write(text));
+    if (rig) {
+      EXPECT_GT(rig->left.intrinsics().fx_px, 0.0);
+      EXPECT_TRUE(isRigid(rig->X_RC));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mirrorarm::camera
