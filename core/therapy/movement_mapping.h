@@ -18,12 +18,13 @@ enum class Mapping {
 
 /// The virtual reference frame of the paper (section 2.4): the poses at the moment of aligning.
 struct Alignment {
-  RigidTransform X_BT = RigidTransform::Identity();  ///< target in robot base
-  RigidTransform X_BE = RigidTransform::Identity();  ///< end effector (sling) in robot base
+  RigidTransform X_BT = RigidTransform::Identity();              ///< target in robot base
+  RigidTransform X_BE = RigidTransform::Identity();              ///< end effector (sling) in robot base
   Eigen::Vector3d midplane_normal_B = Eigen::Vector3d::UnitY();  ///< of the body's midplane, for the mirror
 };
 
 /// Where the end effector belongs when the target stands at `X_BT_now`: a pure function.
-[[nodiscard]] RigidTransform goalOf(const Alignment& alignment, Mapping mapping, const RigidTransform& X_BT_now);
+[[nodiscard]] RigidTransform goalOf(const Alignment& alignment, Mapping mapping,
+                                    const RigidTransform& X_BT_now);
 
 }  // namespace mirrorarm::therapy
