@@ -16,15 +16,12 @@ struct Step {
 // pause. A session that has begun is finished before the next one.
 constexpr std::array kSteps{
     Step{Phase::kPrepare, Action::kTeach, Phase::kTeaching},
-    Step{Phase::kPrepare, Action::kLoadTarget, Phase::kTaught},
     Step{Phase::kTeaching, Action::kFinishTeaching, Phase::kTaught},
     Step{Phase::kTeaching, Action::kNewSession, Phase::kPrepare},
     Step{Phase::kTaught, Action::kTeach, Phase::kTeaching},
-    Step{Phase::kTaught, Action::kLoadTarget, Phase::kTaught},
     Step{Phase::kTaught, Action::kAlign, Phase::kAligned},
     Step{Phase::kTaught, Action::kNewSession, Phase::kPrepare},
     Step{Phase::kAligned, Action::kTeach, Phase::kTeaching},
-    Step{Phase::kAligned, Action::kLoadTarget, Phase::kTaught},
     Step{Phase::kAligned, Action::kAlign, Phase::kAligned},
     Step{Phase::kAligned, Action::kStart, Phase::kTraining},
     Step{Phase::kAligned, Action::kNewSession, Phase::kPrepare},
@@ -64,8 +61,6 @@ std::string_view id(Action action) {
       return "teach";
     case Action::kFinishTeaching:
       return "finish_teaching";
-    case Action::kLoadTarget:
-      return "load_target";
     case Action::kAlign:
       return "align";
     case Action::kStart:

@@ -19,7 +19,7 @@ enum class Phase {
 [[nodiscard]] std::string_view id(Phase phase);
 
 /// What an operator may ask for, besides stopping, which is never a request.
-enum class Action { kTeach, kFinishTeaching, kLoadTarget, kAlign, kStart, kPause, kFinish, kNewSession };
+enum class Action { kTeach, kFinishTeaching, kAlign, kStart, kPause, kFinish, kNewSession };
 /// "teach", ...
 [[nodiscard]] std::string_view id(Action action);
 

@@ -11,9 +11,8 @@ namespace {
 
 constexpr Phase kPhases[] = {Phase::kPrepare,  Phase::kTeaching, Phase::kTaught,  Phase::kAligned,
                              Phase::kTraining, Phase::kPaused,   Phase::kFinished};
-constexpr Action kActions[] = {Action::kTeach,  Action::kFinishTeaching, Action::kLoadTarget,
-                               Action::kAlign,  Action::kStart,          Action::kPause,
-                               Action::kFinish, Action::kNewSession};
+constexpr Action kActions[] = {Action::kTeach, Action::kFinishTeaching, Action::kAlign,     Action::kStart,
+                               Action::kPause, Action::kFinish,         Action::kNewSession};
 
 TEST(SessionPhase, TheUsualWayLeadsThroughEveryPhase) {
   Phase phase = Phase::kPrepare;
