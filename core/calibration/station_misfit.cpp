@@ -46,13 +46,39 @@ double median(std::vector<double> values) {
 }
 
 /// Each station's misfit in units of the median one, the worse of position and rotation.
-std::vector<double> inMedians(const StationMisfit& misfit) {
-  const double unit_m = std::max(median(misfit.position_m), kLeastMedian_m);
-  const double unit_rad = std::max(median(misfit.rotation_rad), kLeastMedian_rad);
-  std::vector<double> scaled(misfit.position_m.size());
+std::vector<double> inMedians(std::span<const double> position_m, std::span<const double> rotation_rad) {
+  const double unit_m = std::max(median({position_m.begin(), position_m.end()}), kLeastMedian_m);
+  const double unit_rad = std::max(median({rotation_rad.begin(), rotation_rad.end()}), kLeastMedian_rad);
+  std::vector<double> scaled(position_m.size());
   for (std::size_t i = 0; i < scaled.size(); ++i)
-    scaled[i] = std::max(misfit.position_m[i] / unit_m, misfit.rotation_rad[i] / unit_rad);
+    scaled[i] = std::max(position_m[i] / unit_m, rotation_rad[i] / unit_rad);
   return scaled;
+}
+
+/// Distance moved along the axis of the turn.
+double pitch_m(const RigidTransform& X) {
+  return X.translation().dot(rotationVector(X.linear()).stableNormalized());
+}
+
+/// Robot and camera make the same screw between two stations, wherever the camera sits: equal turn and equal
+/// pitch. Each station's median mismatch with the others, in units of the median one; needs no assumed X_FC.
+/// Source: Chen, IEEE CVPR 1991, "A screw motion approach to uniqueness analysis of head-eye geometry".
+std::vector<double> screwMismatch(std::span<const PosePair> pairs) {
+  std::vector<std::vector<double>> pitches_m(pairs.size()), turns_rad(pairs.size());
+  for (const auto& [i, j, A, B] : relativeMotions(pairs)) {
+    const double pitch = std::abs(pitch_m(A) - pitch_m(B));
+    const double turn = std::abs(rotationVector(A.linear()).norm() - rotationVector(B.linear()).norm());
+    for (const auto station : {i, j}) {
+      pitches_m[station].push_back(pitch);
+      turns_rad[station].push_back(turn);
+    }
+  }
+  std::vector<double> position_m, rotation_rad;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    position_m.push_back(median(pitches_m[i]));
+    rotation_rad.push_back(median(turns_rad[i]));
+  }
+  return inMedians(position_m, rotation_rad);
 }
 
 std::vector<double> softWeights(std::span<const double> scaled) {
@@ -85,12 +111,14 @@ StationMisfit stationMisfit(std::span<const PosePair> pairs, const RigidTransfor
 }
 
 std::vector<std::size_t> contradictingStations(std::span<const PosePair> pairs) {
-  std::vector<double> weights(pairs.size(), 1.0), scaled(pairs.size(), 0.0);
+  if (pairs.size() < 2) return {};
+  auto scaled = screwMismatch(pairs);
   for (int round = 0; round < kRounds; ++round) {
+    const auto weights = softWeights(scaled);
     const auto X_FC = tsaiLenzOverAllPairs(pairs, weights);
     if (!X_FC) return {};
-    scaled = inMedians(stationMisfit(pairs, *X_FC, weights));
-    weights = softWeights(scaled);
+    const auto misfit = stationMisfit(pairs, *X_FC, weights);
+    scaled = inMedians(misfit.position_m, misfit.rotation_rad);
   }
   std::vector<std::size_t> named;
   for (std::size_t i = 0; i < scaled.size(); ++i)

@@ -22,7 +22,8 @@ struct StationMisfit {
                                           std::span<const double> weights = {});
 
 /// Stations that contradict the others, by a robust fit of X_FC (Tsai-Lenz over all pairs with Geman-McClure
-/// weights): misfit above 4 times the median one. Indices ascend. Nothing is named where the fit fails.
+/// weights, started from how well the screws of robot and camera agree): misfit above 4 times the median one.
+/// Indices ascend. Nothing is named where the fit fails.
 [[nodiscard]] std::vector<std::size_t> contradictingStations(std::span<const PosePair> pairs);
 
 }  // namespace mirrorarm::calibration

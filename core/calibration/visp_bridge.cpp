@@ -1,30 +1,39 @@
 #include "core/calibration/visp_bridge.h"
 
+#include <cstdio>
+#include <fcntl.h>
 #include <iostream>
-#include <streambuf>
+#include <unistd.h>
 
 #include <visp3/vision/vpHandEyeCalibration.h>
 
 namespace mirrorarm::calibration {
 namespace {
 
-/// Takes what is written and forgets it.
-class Nowhere final : public std::streambuf {
- protected:
-  int_type overflow(int_type character) override { return traits_type::not_eof(character); }
-  std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
-};
-
+/// While it lives, the process's standard output goes nowhere: ViSP prints a table at every call, by printf
+/// too.
 class SilentOutput {
  public:
-  SilentOutput() : kept_(std::cout.rdbuf(&nowhere_)) {}
-  ~SilentOutput() { std::cout.rdbuf(kept_); }
+  SilentOutput() : nowhere_(::open("/dev/null", O_WRONLY | O_CLOEXEC)), kept_(::dup(STDOUT_FILENO)) {
+    flush();
+    if (nowhere_ >= 0 && kept_ >= 0) ::dup2(nowhere_, STDOUT_FILENO);
+  }
+  ~SilentOutput() {
+    flush();
+    if (kept_ >= 0) ::dup2(kept_, STDOUT_FILENO);
+    for (const int file : {nowhere_, kept_})
+      if (file >= 0) ::close(file);
+  }
   SilentOutput(const SilentOutput&) = delete;
   SilentOutput& operator=(const SilentOutput&) = delete;
 
  private:
-  Nowhere nowhere_;
-  std::streambuf* kept_;
+  static void flush() {
+    std::cout.flush();
+    std::fflush(stdout);
+  }
+  int nowhere_;
+  int kept_;
 };
 
 vpHomogeneousMatrix toVisp(const Eigen::Isometry3d& X) {
