@@ -42,11 +42,12 @@ struct StoreError {
 template <class T>
 using FromStore = Expected<T, StoreError>;
 
-/// Patients, sessions and samples in one database, SQLite here (SOCI inside). Every call is one transaction: what
-/// it returned is on the disc. One thread at a time.
+/// Patients, sessions and samples in one database, SQLite here (SOCI inside). Every call is one transaction:
+/// what it returned is on the disc. One thread at a time.
 class Store {
  public:
-  /// Opens or makes the database at `file`. Refused: a file that is no database of ours or of a newer version.
+  /// Opens or makes the database at `file`. Refused: a file that is no database of ours or of a newer
+  /// version.
   [[nodiscard]] static FromStore<std::unique_ptr<Store>> open(const std::filesystem::path& file);
   /// The same, but refuses a file that does not exist.
   [[nodiscard]] static FromStore<std::unique_ptr<Store>> openExisting(const std::filesystem::path& file);
@@ -56,11 +57,16 @@ class Store {
   [[nodiscard]] FromStore<std::vector<Patient>> patients();
   [[nodiscard]] FromStore<Patient> patient(std::int64_t id);
 
-  /// Begins a session and gives its id; `session.id` and the end are ignored.
+  /// Begins a session and gives its id; `session.id`, the end and the measures are ignored. An empty
+  /// `started_at` becomes now.
   [[nodiscard]] FromStore<std::int64_t> beginSession(const Session& session);
+  /// All or none of them; refused when a number is not finite or the session is finished. Poses that a sample
+  /// does not have (target when lost, goal outside training) come back as identity.
   [[nodiscard]] FromStore<void> addSamples(std::int64_t session, std::span<const therapy::Sample> samples);
-  /// A line of the session's log: time since its start, what happened ("stop.operator", ...).
+  /// A line of the session's log: time since its start, what happened ("stop.operator", ...). Refused when
+  /// the session is finished.
   [[nodiscard]] FromStore<void> addEvent(std::int64_t session, double time_s, const std::string& event);
+  /// Ends the session now, once; nothing can be added afterwards.
   [[nodiscard]] FromStore<void> finishSession(std::int64_t session, const std::string& end_reason,
                                               const therapy::SessionMeasures& measures);
 
