@@ -7,5 +7,6 @@
 namespace mirrorarm::cli {
 
 // One a file: app/cli/command_<name>.cpp. Each adds its subcommand; its callback runs while parsing.
+void addCalibrate(CLI::App& app, Context& context);
 
 }  // namespace mirrorarm::cli

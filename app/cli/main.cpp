@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", MIRRORARM_VERSION);
   app.require_subcommand(1);
   Context context;
+  addCalibrate(app, context);
   try {
     app.parse(argc, argv);
     if (context.json) std::cout << context.result.dump() << std::endl;

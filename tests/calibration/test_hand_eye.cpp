@@ -34,7 +34,7 @@ TEST(HandEye, FindsTheTruthExactlyWithoutNoise) {
 
 TEST(HandEye, ErrorStaysWithinTheNoiseAndSigmaTellsIt) {
   double squares = 0.0, sigma_squares = 0.0;
-  constexpr int kRuns = 8;
+  constexpr int kRuns = 20;
   StationMaker maker = noisyMaker();
   for (int run = 0; run < kRuns; ++run) {
     const auto found = solveHandEye(maker.stations(15), CameraMount::kInHand);
