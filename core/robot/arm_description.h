@@ -19,9 +19,10 @@ struct JointDescription {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< in the joint frame
 };
 
-/// A cylinder with round ends around the segment from `a` to `b`, fixed to a link. Collision and drawing shape.
+/// A cylinder with round ends around the segment from `a` to `b`, fixed to a link. Collision and drawing
+/// shape.
 struct Capsule {
-  int link = 0;  ///< 0 the base, i the link after joint i
+  int link = 0;                                 ///< 0 the base, i the link after joint i
   Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< in the link's frame [m]
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   double radius_m = 0.0;
@@ -30,7 +31,7 @@ struct Capsule {
 /// A serial arm of turning joints. Frames: B base, F flange.
 struct ArmDescription {
   std::string name;
-  std::vector<JointDescription> joints;  ///< base to flange
+  std::vector<JointDescription> joints;                  ///< base to flange
   RigidTransform X_last_F = RigidTransform::Identity();  ///< flange in the last joint's frame
   std::vector<Capsule> shapes;
 

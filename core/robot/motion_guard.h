@@ -13,7 +13,8 @@ enum class GuardAction : std::uint8_t { kPassed, kNotFinite, kPosition, kSpeed, 
 /// "passed", "not_finite", ...
 [[nodiscard]] std::string_view id(GuardAction action);
 
-/// What was sent last cycle.
+/// A joint command and its speed. As "what was sent last": the speed is the step of the last cycle over the
+/// period.
 struct Commanded {
   Joints q_rad;
   Joints v_rad_s;
@@ -26,11 +27,20 @@ struct Guarded {
 
 /// Next joint command, given the wish and what was sent last: the last thing before the wire.
 ///
-/// A pure function. Whatever the wish, the result stays finite, within the joint ranges (with room to brake),
-/// within the speed and acceleration of `limits` against `last`, and moves no point at the flange faster than
-/// the tool speed (`jacobian` at `last`). A wish that is not finite counts as "brake".
-/// Does not allocate. Source: Reflexes and command guards as in robot drivers; see docs/adr.
-[[nodiscard]] Guarded guardMotion(const Joints& wish_q_rad, const Commanded& last, const Jacobian& jacobian,
+/// A pure function. A wish within all limits passes unchanged. Any other is approached as fast as the limits
+/// let it, without overshooting: `wish.v_rad_s` says how fast the wish itself moves at its position. A wish
+/// that is not finite counts as "brake". Where limits contradict each other the earlier one wins:
+/// 1. the result is finite; 2. the acceleration of each joint against `last`; 3. the joint ranges, with room
+/// to brake, so that 2 and 3 never contradict from a `last` that keeps them; 4. the joint speeds; 5. speed
+/// and acceleration of the flange's origin (`jacobian` at `last`). 5 gives way when a joint must brake for
+/// its range. From a `last` outside the limits the joints brake or come back, never go further. Does not
+/// allocate. Source: command guards of robot drivers; docs/adr/0003-speed-limits.md.
+[[nodiscard]] Guarded guardMotion(const Commanded& wish, const Commanded& last, const Jacobian& jacobian,
                                   double period_s, const MotionLimits& limits) noexcept;
+
+/// Next command on the shortest way to rest along the present direction: all joints slow down by the same
+/// share, so that the flange stays on its path as well as it can. The same limits hold. Does not allocate.
+[[nodiscard]] Guarded brakeMotion(const Commanded& last, const Jacobian& jacobian, double period_s,
+                                  const MotionLimits& limits) noexcept;
 
 }  // namespace mirrorarm::robot

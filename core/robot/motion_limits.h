@@ -9,8 +9,8 @@
 
 namespace mirrorarm::robot {
 
-/// What the robot may do beside the patient. The paper writes 0.24 mm/s and 0.8 mm/s^2; docs/adr tells why these
-/// are read per joint [rad/s] with a cap on the tool [m/s].
+/// What the robot may do beside the patient. The paper writes 0.24 mm/s and 0.8 mm/s^2; docs/adr tells why
+/// these are read per joint [rad/s] with a cap on the tool [m/s].
 struct MotionLimits {
   Joints lower_rad;
   Joints upper_rad;
@@ -20,9 +20,9 @@ struct MotionLimits {
   double max_tool_acceleration_m_s2 = 0.0;
 };
 
-/// Named profiles: "therapy" (joints 0.24 rad/s and 0.5 or 0.8 rad/s^2, tool 0.24 m/s and 0.8 m/s^2), "t1" (the
-/// same joints, tool 0.25 m/s) and "head" (tool 0.13 m/s). Joint ranges come from the arm, `margin_rad` inside.
-/// Nothing for an unknown name.
+/// Named profiles: "therapy" (joints 0.24 rad/s and 0.5 or 0.8 rad/s^2, tool 0.24 m/s and 0.8 m/s^2), "t1"
+/// (the same joints, tool 0.25 m/s) and "head" (tool 0.13 m/s). Joint ranges come from the arm, `margin_rad`
+/// inside. Nothing for an unknown name.
 [[nodiscard]] std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescription& arm,
                                                    double margin_rad = 0.035);
 [[nodiscard]] std::vector<std::string_view> limitProfiles();

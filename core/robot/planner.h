@@ -19,8 +19,9 @@ struct Obstacle {
 };
 
 struct PlannerSettings {
-  double resolution_rad = 0.02;           ///< largest joint step between two collision checks
-  double max_joint_range_rad = 1.0;       ///< a path that moves one joint further than this from both ends is rejected
+  double resolution_rad = 0.02;  ///< largest joint step between two collision checks
+  double max_joint_range_rad =
+      1.0;  ///< a path that moves one joint further than this from both ends is rejected
   Seconds max_time{0.5};
   std::uint64_t seed = 1;
 };
@@ -35,9 +36,9 @@ struct PlannedPath {
   bool direct = true;             ///< the straight joint motion was clear
 };
 
-/// Self-collision and obstacles of one arm (FCL inside), and paths around them (RRT-Connect of OMPL), tried only
-/// when the straight joint motion is blocked. One thread.
-/// Source: paper section 2.4; Kuffner, LaValle, ICRA 2000.
+/// Self-collision and obstacles of one arm (FCL inside), and paths around them (RRT-Connect of OMPL), tried
+/// only when the straight joint motion is blocked. One thread. Source: paper section 2.4; Kuffner, LaValle,
+/// ICRA 2000.
 class Planner {
  public:
   /// `attached` are shapes fixed to the flange (link = jointCount()): camera bar, sling.

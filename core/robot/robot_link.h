@@ -31,7 +31,8 @@ class RobotLink {
   [[nodiscard]] virtual Expected<RobotState, LinkFault> read() noexcept = 0;
   /// Joint positions for the next cycle [rad].
   [[nodiscard]] virtual Expected<void, LinkFault> command(const Joints& q_rad) noexcept = 0;
-  /// Brakes to rest within the robot's own limits. The way out of every failure; may be called again and again.
+  /// Brakes to rest within the robot's own limits. The way out of every failure; may be called again and
+  /// again.
   virtual void halt() noexcept = 0;
   /// Cycle time that the link expects.
   [[nodiscard]] virtual Seconds period() const noexcept = 0;

@@ -155,6 +155,7 @@ ArmDescription parse(const std::string& xml) {
 FromFile<ArmDescription> readUrdf(const std::filesystem::path& file) {
   std::error_code failed;
   if (!std::filesystem::exists(file, failed)) return unexpected(FileError{file, 0, "is missing"});
+  if (!std::filesystem::is_regular_file(file, failed)) return unexpected(FileError{file, 0, "is not a file"});
   std::ifstream stream(file, std::ios::binary);
   const std::string xml{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream) return unexpected(FileError{file, 0, "cannot be read"});

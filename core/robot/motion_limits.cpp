@@ -1,0 +1,48 @@
+#include "core/robot/motion_limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace mirrorarm::robot {
+namespace {
+
+constexpr double kJointSpeed_rad_s = 0.24;
+constexpr double kBigJointAcceleration_rad_s2 = 0.5;  // of the two that carry the whole arm
+constexpr double kJointAcceleration_rad_s2 = 0.8;
+constexpr double kToolAcceleration_m_s2 = 0.8;
+constexpr int kBigJoints = 2;
+
+struct Profile {
+  std::string_view name;
+  double tool_speed_m_s;
+};
+constexpr std::array kProfiles = {Profile{"therapy", 0.24}, Profile{"t1", 0.25}, Profile{"head", 0.13}};
+
+}  // namespace
+
+std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescription& arm, double margin_rad) {
+  const auto* const found = std::ranges::find(kProfiles, profile, &Profile::name);
+  if (found == kProfiles.end()) return std::nullopt;
+  const int n = arm.jointCount();
+  MotionLimits limits{
+      Joints(n), Joints(n), Joints(n), Joints(n), found->tool_speed_m_s, kToolAcceleration_m_s2};
+  for (int i = 0; i < n; ++i) {
+    const auto& joint = arm.joints[static_cast<std::size_t>(i)];
+    assert(joint.upper_rad - joint.lower_rad > 2.0 * margin_rad);
+    limits.lower_rad[i] = joint.lower_rad + margin_rad;
+    limits.upper_rad[i] = joint.upper_rad - margin_rad;
+    limits.max_speed_rad_s[i] = std::min(kJointSpeed_rad_s, joint.max_speed_rad_s);
+    limits.max_acceleration_rad_s2[i] =
+        i < kBigJoints ? kBigJointAcceleration_rad_s2 : kJointAcceleration_rad_s2;
+  }
+  return limits;
+}
+
+std::vector<std::string_view> limitProfiles() {
+  std::vector<std::string_view> names;
+  for (const auto& profile : kProfiles) names.push_back(profile.name);
+  return names;
+}
+
+}  // namespace mirrorarm::robot

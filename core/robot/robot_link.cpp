@@ -1,0 +1,19 @@
+#include "core/robot/robot_link.h"
+
+namespace mirrorarm::robot {
+
+std::string_view id(LinkFault fault) {
+  switch (fault) {
+    case LinkFault::kNone:
+      return "none";
+    case LinkFault::kNoAnswer:
+      return "no_answer";
+    case LinkFault::kNotReady:
+      return "not_ready";
+    case LinkFault::kDriveFault:
+      return "drive_fault";
+  }
+  return "unknown";
+}
+
+}  // namespace mirrorarm::robot
