@@ -1,12 +1,14 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace mirrorarm::tracking {
 
-/// A taught set of markers on one body, in its own frame T: origin at the markers' centroid when it was taught.
+/// A taught set of markers on one body, in its own frame T: origin at the markers' centroid when it was
+/// taught.
 struct Target {
   std::string name;
   double marker_diameter_m = 0.007;

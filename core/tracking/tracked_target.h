@@ -1,43 +1,49 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <string_view>
+
+#include <Eigen/Core>
 
 #include "core/common/time.h"
 #include "core/geometry/rigid_transform.h"
 
 namespace mirrorarm::tracking {
 
-inline constexpr int kMaxMarkers = 64;  ///< markers that one target may have
+inline constexpr int kMaxMarkers = 64;          ///< markers that one target may have
+inline constexpr std::size_t kMaxPoints = 128;  ///< points considered for one target in one frame
 
 /// How an answer was got.
 enum class TrackStatus : std::uint8_t { kTracked, kPredicted, kLost };
 /// "tracked", "predicted", "lost".
 [[nodiscard]] std::string_view id(TrackStatus status);
 
-/// Why a target was not tracked.
+/// Why a target was not tracked. kNoPoints: the frame held no free point (near its prediction or at all);
+/// kTooFewMarkers: too few points fit the model; kBadFit: enough, but farther than the largest misfit;
+/// kNotConverged: the search was cut off by its time bound before anything fitted.
 enum class LostReason : std::uint8_t { kNone, kNoPoints, kTooFewMarkers, kBadFit, kNotConverged };
 /// "none", "no_points", "too_few_markers", "bad_fit", "not_converged".
 [[nodiscard]] std::string_view id(LostReason reason);
 
-/// One target at one instant. Fixed size: it goes through mailboxes without allocating.
+/// One target at one instant. A predicted one keeps the reason why it was not measured. Fixed size: it goes
+/// through mailboxes without allocating.
 struct TrackedTarget {
   TrackStatus status = TrackStatus::kLost;
   LostReason reason = LostReason::kNoPoints;
   RigidTransform X_CT = RigidTransform::Identity();  ///< target in the left camera; good unless lost
-  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< turn [rad] then shift [m], in T
-  TimePoint exposed_at{};   ///< middle of the exposure
-  double rms_m = 0.0;       ///< of the rigid fit over the matched markers
-  int marker_count = 0;     ///< markers that the target has
-  int matched_count = 0;    ///< markers that were found
+  Eigen::Matrix<double, 6, 6> covariance =
+      Eigen::Matrix<double, 6, 6>::Zero();  ///< turn [rad] then shift [m], in T
+  TimePoint exposed_at{};                   ///< middle of the exposure
+  double rms_m = 0.0;                       ///< of the rigid fit over the matched markers
+  int marker_count = 0;                     ///< markers that the target has
+  int matched_count = 0;                    ///< markers that were found
   /// For each marker the index of its measured point, -1 when it was not found.
   std::array<std::int16_t, kMaxMarkers> point_of_marker{};
 };
 
-/// True while the pose may still move a robot or a drawing: tracked or predicted, not older than `max_age`, not
-/// from the future. The one gate to the robot and to green on the screen.
+/// True while the pose may still move a robot or a drawing: tracked or predicted, not older than `max_age`,
+/// not from the future. The one gate to the robot and to green on the screen.
 [[nodiscard]] inline bool isFresh(const TrackedTarget& target, TimePoint now, Seconds max_age) {
   const Seconds age = now - target.exposed_at;
   return target.status != TrackStatus::kLost && age >= Seconds::zero() && age <= max_age;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/geometry/rigid_transform.h"
+
+namespace mirrorarm::tracking {
+
+/// One-to-one pairs of moved model points and cloud points, nearest first. Keeps its buffers.
+class Association {
+ public:
+  /// Fills `y_of_x` (-1 for none) with pairs not farther apart than `gate_m` under `X_YX`; returns their
+  /// number.
+  int pair(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y, const RigidTransform& X_YX,
+           double gate_m, std::vector<int>& y_of_x);
+
+ private:
+  struct Pair {
+    double squared_distance = 0.0;
+    int x = 0;
+    int y = 0;
+  };
+  std::vector<Pair> pairs_;
+  std::vector<char> taken_;
+};
+
+}  // namespace mirrorarm::tracking
