@@ -178,7 +178,6 @@ TEST(Trajectory, RetargetingAMovingGoalFollowsWithoutOscillation) {
       fastest = std::max(fastest, state.v_rad_s[0]);
     }
   }
-  << "\n";
   EXPECT_LT(largest_lag / goal_speed, 0.25);
   EXPECT_GT(slowest, 0.95 * goal_speed);
   EXPECT_LT(fastest, 1.05 * goal_speed);
