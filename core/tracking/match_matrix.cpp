@@ -5,7 +5,7 @@
 namespace mirrorarm::tracking {
 namespace {
 
-constexpr int kMaxRounds = 30;
+constexpr int kMaxRounds = 100;
 constexpr double kAgreement = 1e-4;
 
 }  // namespace
@@ -24,19 +24,13 @@ void MatchMatrix::assign(const Eigen::ArrayXXd& Q_mm2, double beta) {
   assert(Q_mm2.rows() == log_entries_.rows() && Q_mm2.cols() == log_entries_.cols());
   log_entries_ = -beta * Q_mm2;
   startColumns(beta);
-  for (int round = 0; round < kMaxRounds; ++round) {
-    log_row_before_ = log_row_;
-    normaliseRows();
-    normaliseColumns();
-    if (round > 0 && (log_row_ - log_row_before_).abs().maxCoeff() < kAgreement) break;
-  }
-  weights_ = ((log_entries_.colwise() + log_row_).rowwise() + log_column_).exp();
-  slack_ = log_row_.exp();
-  slack_row_ = log_column_.exp();
+  normaliseRowLogarithms();
+  normaliseColumnLogarithms();
+  balance();
 }
 
-// In a hard matrix a pair's two factors share its entry evenly; from any other start the slacks would follow only
-// as 1/n. Later the logarithms of the factors grow in step with beta.
+// In a hard matrix a pair's two factors share its entry evenly; from any other start the slacks would follow
+// only as 1/n. Later the logarithms of the factors grow in step with beta.
 void MatchMatrix::startColumns(double beta) {
   if (beta_ > 0.0) {
     log_column_ *= beta / beta_;
@@ -47,7 +41,7 @@ void MatchMatrix::startColumns(double beta) {
 }
 
 // Factor of a row: one over the sum of its entries and its slack 1, the largest taken out before exp().
-void MatchMatrix::normaliseRows() {
+void MatchMatrix::normaliseRowLogarithms() {
   weights_ = log_entries_.rowwise() + log_column_;
   row_peak_ = weights_.rowwise().maxCoeff().max(0.0);
   weights_.colwise() -= row_peak_;
@@ -55,12 +49,33 @@ void MatchMatrix::normaliseRows() {
   log_row_ = -row_peak_ - (weights_.rowwise().sum() + (-row_peak_).exp()).log();
 }
 
-void MatchMatrix::normaliseColumns() {
+void MatchMatrix::normaliseColumnLogarithms() {
   weights_ = log_entries_.colwise() + log_row_;
   column_peak_ = weights_.colwise().maxCoeff().max(0.0);
   weights_.rowwise() -= column_peak_;
   weights_ = weights_.exp();
   log_column_ = -column_peak_ - (weights_.colwise().sum() + (-column_peak_).exp()).log();
+}
+
+// After one round on logarithms every sum lies near 1, so the further rounds need no exp().
+void MatchMatrix::balance() {
+  weights_ = ((log_entries_.colwise() + log_row_).rowwise() + log_column_).exp();
+  row_slack_ = log_row_.exp();
+  column_slack_ = log_column_.exp();
+  row_factor_.setOnes(weights_.rows());
+  column_factor_.setOnes(weights_.cols());
+  for (int round = 0; round < kMaxRounds; ++round) {
+    row_factor_before_ = row_factor_;
+    row_factor_ = (row_slack_ + (weights_.matrix() * column_factor_.matrix().transpose()).array()).inverse();
+    column_factor_ =
+        (column_slack_ + (row_factor_.matrix().transpose() * weights_.matrix()).array()).inverse();
+    if ((row_factor_ - row_factor_before_).abs().maxCoeff() < kAgreement) break;
+  }
+  weights_ = (weights_.colwise() * row_factor_).rowwise() * column_factor_;
+  slack_ = row_slack_ * row_factor_;
+  slack_row_ = column_slack_ * column_factor_;
+  log_row_ += row_factor_.log();
+  log_column_ += column_factor_.log();
 }
 
 bool MatchMatrix::isBinary(double tolerance) const {

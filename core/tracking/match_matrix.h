@@ -26,13 +26,15 @@ class MatchMatrix {
 
  private:
   void startColumns(double beta);
-  void normaliseRows();
-  void normaliseColumns();
+  void normaliseRowLogarithms();
+  void normaliseColumnLogarithms();
+  void balance();
 
   double beta_ = 0.0;
   Eigen::ArrayXXd log_entries_, weights_;
-  Eigen::ArrayXd log_row_, log_row_before_, row_peak_, slack_;
-  Eigen::Array<double, 1, Eigen::Dynamic> log_column_, column_peak_, slack_row_;
+  Eigen::ArrayXd log_row_, row_peak_, row_factor_, row_factor_before_, row_slack_, slack_;
+  Eigen::Array<double, 1, Eigen::Dynamic> log_column_, column_peak_, column_factor_, column_slack_,
+      slack_row_;
 };
 
 }  // namespace mirrorarm::tracking

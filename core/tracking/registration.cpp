@@ -51,10 +51,22 @@ const RegistrationResult& Registration::search(Points x, Points y, const Registr
   best_.reason = y.empty() ? LostReason::kNoPoints : LostReason::kTooFewMarkers;
   best_.y_of_x.assign(x.size(), -1);
   const TripleSearchSettings triples{.tolerance_m = settings.max_rms_m, .gate_m = 2.0 * settings.max_rms_m};
-  for (const auto& pose : triples_.run(x, y, triples))
-    if (isBetter(follow(x, y, settings, pose.X_YX, triples.gate_m), best_)) best_ = result_;
+  for (const auto& pose : triples_.run(x, y, triples)) {
+    start(x, y, pose.X_YX, triples.gate_m);
+    settle(x, y, settings);
+    if (isBetter(result_, best_)) best_ = result_;
+  }
+  if (best_.matched >= kMinForPose && isBetter(follow(x, y, settings, best_.X_YX, settings.max_rms_m), best_))
+    best_ = result_;
   if (!best_.isAccepted() && triples_.wasCutOff()) best_.reason = LostReason::kNotConverged;
   return best_;
+}
+
+/// Takes the nearest pairs under the guess for a beginning.
+void Registration::start(Points x, Points y, const RigidTransform& guess_YX, double gate_m) {
+  result_.matched = association_.pair(x, y, guess_YX, gate_m, result_.y_of_x);
+  result_.X_YX = guess_YX;
+  result_.rms_m = gate_m;
 }
 
 /// Pairs and pose in turn until the pairs stay; then the verdict.

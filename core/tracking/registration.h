@@ -48,6 +48,8 @@ class Registration {
                                                  const RegistrationSettings& settings);
 
  private:
+  void start(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y,
+             const RigidTransform& guess_YX, double gate_m);
   void settle(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y,
               const RegistrationSettings& settings);
   void fit(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y);
