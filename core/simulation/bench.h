@@ -1,10 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/camera/frame_source.h"
 #include "core/camera/stereo_rig.h"
@@ -27,8 +28,8 @@ struct MinimumJerkLeg {
 struct BenchSettings {
   std::filesystem::path resources;  ///< the project's resources folder
   camera::LensModel lens = camera::LensModel::kKannalaBrandt;
-  std::filesystem::path motion;       ///< a TRC file whose forearm markers carry the discs; empty: `legs`
-  std::vector<MinimumJerkLeg> legs;   ///< used without `motion`
+  std::filesystem::path motion;      ///< a TRC file whose forearm markers carry the discs; empty: `legs`
+  std::vector<MinimumJerkLeg> legs;  ///< used without `motion`
   double rate_hz = 24.0;
   Seconds exposure{0.0015};
   Seconds transfer{0.020};  ///< from the end of the exposure until the frame is handed out
@@ -36,13 +37,14 @@ struct BenchSettings {
   bool own_pace = true;  ///< frames and states wait for the time source (real time); false: asked in lockstep
 };
 
-/// A bench that needs no hardware: LBR 4+ with stereo camera and sling on its flange, a passive impaired arm in the
-/// sling, a healthy forearm with ten discs beside it. Everything moves in one world, so the cameras see what the
-/// robot does. Cameras and robot are used from their own threads; truth and faults from any.
+/// A bench that needs no hardware: LBR 4+ with stereo camera and sling on its flange, a passive impaired arm
+/// in the sling, a healthy forearm with ten discs beside it. Everything moves in one world, so the cameras
+/// see what the robot does. Cameras and robot are used from their own threads; truth and faults from any.
 class Bench {
  public:
   /// `time` outlives the bench. Refused: missing or wrong resources, a TRC that lacks forearm markers.
-  [[nodiscard]] static FromFile<std::unique_ptr<Bench>> make(const BenchSettings& settings, const TimeSource& time);
+  [[nodiscard]] static FromFile<std::unique_ptr<Bench>> make(const BenchSettings& settings,
+                                                             const TimeSource& time);
   ~Bench();
 
   [[nodiscard]] camera::FrameSource& cameras();
@@ -59,10 +61,10 @@ class Bench {
 
   /// What is truly there at one time.
   struct Truth {
-    std::vector<Disc> discs;        ///< of the healthy forearm
-    RigidTransform X_BF;            ///< flange
+    std::vector<Disc> discs;  ///< of the healthy forearm
+    RigidTransform X_BF;      ///< flange
     ArmMotion::Forearm healthy;
-    ArmMotion::Forearm impaired;    ///< wrist in the sling, elbow beside the body
+    ArmMotion::Forearm impaired;  ///< wrist in the sling, elbow beside the body
   };
   [[nodiscard]] Truth truthAt(TimePoint time) const;
 

@@ -1,0 +1,140 @@
+#include "core/simulation/bench.h"
+
+#include <atomic>
+#include <mutex>
+
+#include "core/camera/rig_file.h"
+#include "core/robot/kinematics.h"
+#include "core/robot/urdf.h"
+#include "core/simulation/bench_layout.h"
+#include "core/simulation/exercise_motion.h"
+#include "core/simulation/movement_phase.h"
+#include "core/simulation/recorded_motion.h"
+#include "core/simulation/simulated_cameras.h"
+#include "core/simulation/simulated_robot.h"
+
+namespace mirrorarm::simulation {
+namespace {
+
+constexpr std::uint64_t kRobotStream = 0x526F626F74u;
+
+/// Forward kinematics for several threads.
+class SharedKinematics {
+ public:
+  explicit SharedKinematics(robot::Kinematics kinematics) : kinematics_(std::move(kinematics)) {}
+  [[nodiscard]] RigidTransform flange(const robot::Joints& q) const {
+    const std::lock_guard lock(mutex_);
+    return kinematics_.flange(q);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  robot::Kinematics kinematics_;  ///< guarded by mutex_
+};
+
+FromFile<std::unique_ptr<ArmMotion>> makeMotion(const BenchSettings& settings, const camera::StereoRig& rig) {
+  const RigidTransform X_BC = bench_layout::startX_BF() * bench_layout::X_FC();
+  const RigidTransform X_BA = X_BC * bench_layout::startX_CA();
+  if (settings.motion.empty()) return std::make_unique<ExerciseMotion>(X_BA, settings.legs);
+  auto recorded = RecordedMotion::read(settings.motion, X_BA,
+                                       {X_BC.translation(), (X_BC * rig.X_RC.inverse()).translation()});
+  if (!recorded) return unexpected(recorded.error());
+  return std::make_unique<RecordedMotion>(std::move(*recorded));
+}
+
+}  // namespace
+
+struct Bench::Body {
+  const TimeSource& time;
+  camera::StereoRig rig;
+  robot::ArmDescription arm;
+  RigidTransform X_FC = bench_layout::X_FC();
+  RigidTransform X_FE = bench_layout::X_FE();
+  std::vector<robot::Capsule> attached;
+  std::vector<Patch> clutter_B = bench_layout::clutter();
+  std::unique_ptr<ArmMotion> motion;
+  SharedKinematics kinematics;
+  SimulatedRobot robot;
+  SimulatedCameras cameras;
+  MovementPhase phase;
+  std::atomic<bool> target_hidden{false};
+  std::vector<Disc> seen_discs;  ///< work space of the cameras' thread
+
+  struct Parts {
+    camera::StereoRig rig;
+    robot::ArmDescription arm;
+    std::unique_ptr<ArmMotion> motion;
+    robot::Joints start;
+  };
+  Body(Parts parts, robot::Kinematics forward, const BenchSettings& settings, const TimeSource& time_source)
+      : time(time_source),
+        rig(std::move(parts.rig)),
+        arm(std::move(parts.arm)),
+        attached(bench_layout::attachedShapes(arm)),
+        motion(std::move(parts.motion)),
+        kinematics(std::move(forward)),
+        robot(arm, parts.start, time_source, settings.seed ^ kRobotStream),
+        cameras(
+            rig, {}, {}, {settings.rate_hz, settings.exposure, settings.transfer, settings.own_pace},
+            [this](TimePoint at, StereoRenderer::Instant& patches_C) { look(at, patches_C); }, time_source,
+            settings.seed),
+        seen_discs(static_cast<std::size_t>(motion->discCount())) {}
+
+  [[nodiscard]] RigidTransform flangeAt(TimePoint at) const { return kinematics.flange(robot.jointsAt(at)); }
+
+  void look(TimePoint at, StereoRenderer::Instant& patches_C) {
+    const RigidTransform X_CB = (flangeAt(at) * X_FC).inverse();
+    patches_C.clear();
+    for (const Patch& patch_B : clutter_B) patches_C.push_back(transformed(X_CB, patch_B));
+    if (target_hidden.load(std::memory_order_relaxed)) return;
+    motion->discsAt(phase.at(at), seen_discs);
+    for (const Disc& disc_B : seen_discs) patches_C.push_back(transformed(X_CB, patchOf(disc_B)));
+  }
+};
+
+FromFile<std::unique_ptr<Bench>> Bench::make(const BenchSettings& settings, const TimeSource& time) {
+  auto rig = camera::readRig(bench_layout::rigFile(settings.resources, settings.lens));
+  if (!rig) return unexpected(rig.error());
+  const auto urdf = settings.resources / "robots/lbr4plus.urdf";
+  auto arm = robot::readUrdf(urdf);
+  if (!arm) return unexpected(arm.error());
+  auto motion = makeMotion(settings, *rig);
+  if (!motion) return unexpected(motion.error());
+  robot::Kinematics kinematics(*arm);
+  const auto start = bench_layout::startPosture(kinematics);
+  if (!start)
+    return unexpected(FileError{urdf, 0, "describes an arm that does not reach the bench's start pose"});
+  Body::Parts parts{std::move(*rig), std::move(*arm), std::move(*motion), *start};
+  auto body = std::make_unique<Body>(std::move(parts), std::move(kinematics), settings, time);
+  return std::unique_ptr<Bench>(new Bench(std::move(body)));
+}
+
+Bench::Bench(std::unique_ptr<Body> body) : body_(std::move(body)) {}
+Bench::~Bench() = default;
+
+camera::FrameSource& Bench::cameras() { return body_->cameras; }
+robot::RobotLink& Bench::robot() { return body_->robot; }
+const camera::StereoRig& Bench::rig() const { return body_->rig; }
+const robot::ArmDescription& Bench::arm() const { return body_->arm; }
+const RigidTransform& Bench::X_FC() const { return body_->X_FC; }
+const RigidTransform& Bench::X_FE() const { return body_->X_FE; }
+const std::vector<robot::Capsule>& Bench::attached() const { return body_->attached; }
+
+void Bench::setPatientMoving(bool moving) { body_->phase.set(body_->time.now(), moving); }
+
+Bench::Truth Bench::truthAt(TimePoint time) const {
+  Truth truth;
+  const double phase_s = body_->phase.at(time);
+  truth.discs.resize(static_cast<std::size_t>(body_->motion->discCount()));
+  body_->motion->discsAt(phase_s, truth.discs);
+  truth.X_BF = body_->flangeAt(time);
+  truth.healthy = body_->motion->forearmAt(phase_s);
+  truth.impaired = bench_layout::impairedForearm((truth.X_BF * body_->X_FE).translation());
+  return truth;
+}
+
+void Bench::failCameras(bool failed) { body_->cameras.fail(failed); }
+void Bench::hideTarget(bool hidden) { body_->target_hidden.store(hidden, std::memory_order_relaxed); }
+void Bench::silenceRobot(bool silent) { body_->robot.silence(silent); }
+
+}  // namespace mirrorarm::simulation

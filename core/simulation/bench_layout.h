@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/camera/camera_model.h"
+#include "core/robot/arm_description.h"
+#include "core/robot/kinematics.h"
+#include "core/simulation/patch.h"
+
+/// Where everything stands on the simulated bench. Robot base B: x from the robot's foot towards the patient,
+/// z up. The patient sits opposite, right arm on the side of +y (healthy), left arm in the sling below the
+/// flange.
+namespace mirrorarm::simulation::bench_layout {
+
+/// Flange at the start: 0.55 m before the foot, 0.45 m high, pointing down; x_F against x_B, y_F along y_B.
+[[nodiscard]] RigidTransform startX_BF();
+/// Angles of the LBR 4+ that bring the flange there with a bent elbow, far from limits and stretched poses.
+[[nodiscard]] std::optional<robot::Joints> startPosture(const robot::Kinematics& kinematics);
+
+/// Left camera on the flange: beside it towards the healthy arm, looking along +y_B, 15 degrees down.
+[[nodiscard]] RigidTransform X_FC();
+/// Sling: 0.135 m below the flange, turned like it.
+[[nodiscard]] RigidTransform X_FE();
+/// Healthy forearm at the start, in the left camera: 0.40 m in front of the middle between both cameras,
+/// lying across the image, elbow towards the patient (see exercise_motion.h for frame A).
+[[nodiscard]] RigidTransform startX_CA();
+
+/// Camera bar and sling bow as shapes of the last link.
+[[nodiscard]] std::vector<robot::Capsule> attachedShapes(const robot::ArmDescription& arm);
+
+/// What else shines: a strip of tape on a chair, two dim blotches behind the patient. In B.
+[[nodiscard]] std::vector<Patch> clutter();
+
+/// The impaired forearm's wrist hangs in the sling at `sling_B`; its elbow trails towards the body.
+[[nodiscard]] ArmMotion::Forearm impairedForearm(const Eigen::Vector3d& sling_B);
+
+/// rigs/fisheye.yaml or rigs/pinhole.yaml.
+[[nodiscard]] std::filesystem::path rigFile(const std::filesystem::path& resources, camera::LensModel lens);
+
+}  // namespace mirrorarm::simulation::bench_layout
