@@ -1,9 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace mirrorarm::vision {
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/common/time.h"
 #include "core/vision/detected_marker.h"
@@ -10,7 +11,7 @@ namespace mirrorarm::vision {
 
 /// A disc seen by both cameras.
 struct StereoPoint {
-  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();               ///< centre in the left camera [m]
+  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  ///< centre in the left camera [m]
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
   int left = -1;             ///< index into the left image's markers
   int right = -1;            ///< index into the right image's markers

@@ -1,0 +1,27 @@
+#pragma once
+
+namespace mirrorarm::vision {
+
+/// What the finder takes for a disc. Defaults suit the bench: 7 mm discs at 0.25 to 0.8 m, f about 550 to 720
+/// px.
+struct FinderSettings {
+  double min_diameter_px = 3.0;  ///< of the disc itself, without the blur
+  double max_diameter_px = 60.0;
+  double max_axis_ratio = 4.0;        ///< major to minor axis
+  double max_fit_rms_px = 0.35;       ///< edge points from the fitted ellipse; less for small discs
+  double min_outline_fraction = 0.6;  ///< share of the outline that edge points must support
+  double edge_sigma_px = 1.0;   ///< scale of the edge detector; twice that for discs beyond 14 times as much
+  bool dark_on_bright = false;  ///< calibration plates: dark dots on bright ground
+};
+
+/// For calibration plates: dark dots on bright ground, up to 100 px wide, also on coarse prints and
+/// interlaced video.
+[[nodiscard]] inline FinderSettings plateSettings() {
+  FinderSettings settings;
+  settings.max_diameter_px = 100.0;
+  settings.max_fit_rms_px = 0.7;
+  settings.dark_on_bright = true;
+  return settings;
+}
+
+}  // namespace mirrorarm::vision
