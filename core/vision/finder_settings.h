@@ -14,10 +14,11 @@ struct FinderSettings {
   bool dark_on_bright = false;  ///< calibration plates: dark dots on bright ground
 };
 
-/// For calibration plates: dark dots on bright ground, up to 100 px wide, also on coarse prints and
+/// For calibration plates: dark dots on bright ground, 6 to 100 px wide, also on coarse prints and
 /// interlaced video.
 [[nodiscard]] inline FinderSettings plateSettings() {
   FinderSettings settings;
+  settings.min_diameter_px = 6.0;
   settings.max_diameter_px = 100.0;
   settings.max_fit_rms_px = 0.7;
   settings.dark_on_bright = true;
