@@ -23,6 +23,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   Context context;
   addCalibrate(app, context);
+  addTeach(app, context);
+  addTrack(app, context);
   try {
     app.parse(argc, argv);
     if (context.json) std::cout << context.result.dump() << std::endl;

@@ -110,6 +110,8 @@ Teacher::Teacher(const TeacherSettings& settings) : body_(std::make_unique<Body>
 }
 
 Teacher::~Teacher() = default;
+Teacher::Teacher(Teacher&&) noexcept = default;
+Teacher& Teacher::operator=(Teacher&&) noexcept = default;
 
 void Teacher::add(std::span<const Vector3d> cloud_C) {
   body_->collect(cloud_C);

@@ -46,6 +46,8 @@ class Teacher {
  public:
   explicit Teacher(const TeacherSettings& settings);
   ~Teacher();
+  Teacher(Teacher&&) noexcept;
+  Teacher& operator=(Teacher&&) noexcept;
 
   /// Adds one measured cloud (camera frame) [m].
   void add(std::span<const Eigen::Vector3d> cloud_C);

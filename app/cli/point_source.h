@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "core/common/time.h"
+#include "core/vision/stereo_observation.h"
+
+namespace mirrorarm::cli {
+
+/// Where `track` and `teach` take their points from; exactly one is given.
+struct PointInput {
+  std::filesystem::path recording;
+  std::filesystem::path clouds;
+};
+
+/// The positional REC and the option --clouds of a command.
+void addPointInput(CLI::App& command, PointInput& input);
+
+/// The points of one frame.
+struct PointFrame {
+  long long index = 0;
+  TimePoint exposed_at{};
+  std::vector<vision::StereoPoint> points;
+  double vision_ms = 0.0;  ///< from the images to the points; 0 where no image was
+};
+
+/// Measured points frame by frame.
+class PointSource {
+ public:
+  virtual ~PointSource() = default;
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  /// Frame `i`; throws InputRefused.
+  [[nodiscard]] virtual PointFrame frame(std::size_t i) = 0;
+};
+
+/// Opens what `input` names; throws InputRefused.
+[[nodiscard]] std::unique_ptr<PointSource> openPoints(const PointInput& input);
+
+}  // namespace mirrorarm::cli
