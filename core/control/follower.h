@@ -18,10 +18,11 @@ enum class FollowOutcome : std::uint8_t { kDirect, kPlanned, kHeld, kOutOfReach,
 [[nodiscard]] std::string_view id(FollowOutcome outcome);
 
 struct FollowerSettings {
-  Seconds period{0.040};            ///< between two steps (paper: 40 ms)
-  double dead_band_m = 0.0005;      ///< goals nearer than this to the last one start no new trajectory
+  Seconds period{0.040};        ///< between two steps (paper: 40 ms)
+  double dead_band_m = 0.0005;  ///< goals nearer than this to the last one start no new trajectory
   double dead_band_rad = 0.002;
-  double max_joint_step_rad = 1.0;  ///< a goal further away in one joint is rejected (paper: movement range check)
+  double max_joint_step_rad =
+      1.0;  ///< a goal further away in one joint is rejected (paper: movement range check)
 };
 
 struct FollowStep {
@@ -32,8 +33,8 @@ struct FollowStep {
   }
 };
 
-/// Turns goals for the end effector into joint trajectories: inverse kinematics near the present joints, direct
-/// check, a plan only if that is blocked, joint-range rejection, quintic from the commanded state.
+/// Turns goals for the end effector into joint trajectories: inverse kinematics near the present joints,
+/// direct check, a plan only if that is blocked, joint-range rejection, quintic from the commanded state.
 /// Source: paper section 2.4. Control thread only.
 class Follower {
  public:

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
+#include <optional>
 
-#include "core/common/latest_value.h"
 #include "core/common/ring_log.h"
 #include "core/common/time.h"
 #include "core/control/supervisor.h"
@@ -16,17 +15,23 @@ namespace mirrorarm::control {
 
 /// What one servo cycle did; also the black box's entry.
 struct ServoState {
-  TimePoint time{};
-  robot::RobotState measured;
-  robot::MotionState commanded;
+  TimePoint
+      time{};  ///< the beat that `commanded` stands for: even steps, even where the thread woke unevenly
+  robot::RobotState measured;    ///< newest; joints empty before the first reading
+  robot::MotionState commanded;  ///< what was measured while the robot is not driven from here
   robot::GuardAction guard = robot::GuardAction::kPassed;
   Permit permit = Permit::kHold;
   StopReason stop = StopReason::kNone;  ///< latched reason, kNone while free
-  bool at_rest = true;                  ///< commanded and measured speed are both nearly zero
+  bool at_rest = false;                 ///< commanded and measured speed are both nearly zero
 };
 
 /// Samples the trajectory in force, passes the motion guard and writes to the robot: once a cycle, from one
-/// thread (the servo thread). step() does not allocate, lock or log. Whatever goes wrong, the robot is braked.
+/// thread (the servo thread). step() does not allocate, lock or log.
+///
+/// Whatever goes wrong, the robot is braked: by commands within the limits where it still obeys (operator,
+/// camera, target, an exception elsewhere), by its own halt where that is in doubt (silent, faulty, not where
+/// it was told to be, a servo cycle missed). From then on, and before the first cycle, it is driven only once
+/// it was read at rest.
 class ServoLoop {
  public:
   ServoLoop(const robot::ArmDescription& arm, const robot::MotionLimits& limits, robot::RobotLink& link,
@@ -36,7 +41,9 @@ class ServoLoop {
   /// One cycle. Servo thread only.
   const ServoState& step(TimePoint now) noexcept;
 
-  /// The motion to follow from now on. Control thread only.
+  /// The motion to follow from now on. One that is handed over while a stop is latched is never followed.
+  /// After a hold the motion in force goes on if the robot has hardly left it; else it waits for a new one.
+  /// Control thread only.
   void setTrajectory(const robot::Trajectory& trajectory) noexcept;
   /// When the last frame came and the target was last tracked, and whether the robot is to follow. Control
   /// thread only.
@@ -49,11 +56,12 @@ class ServoLoop {
 
   /// Brings the robot to rest from any thread, past every queue; takes effect in the next cycle.
   void stop(StopReason reason) noexcept;
-  /// Frees the latch; the robot stays at rest until a new trajectory comes. Any thread.
+  /// Frees the latch; the robot stays at rest until a trajectory comes that was set after this. Any thread.
   void resetStop() noexcept;
 
-  /// The newest state for the control thread; nullptr when none came since the last take.
-  [[nodiscard]] const ServoState* takeState() noexcept;
+  /// The states of the cycles one after another, each once; nothing when all are taken. Whoever stays away
+  /// for more than 256 cycles misses the following ones. Control thread only.
+  [[nodiscard]] std::optional<ServoState> takeState() noexcept;
 
   /// The last 10 s at 200 Hz. Read it only while no cycle runs.
   using BlackBox = RingLog<ServoState, 2048>;

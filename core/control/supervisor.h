@@ -6,8 +6,8 @@
 namespace mirrorarm::control {
 
 struct SupervisorSettings {
-  Seconds hold_after{0.100};         ///< target older than this: the robot holds where it is
-  Seconds stop_after{0.250};         ///< target older than this while following: stop
+  Seconds hold_after{0.100};  ///< target older than this: the robot holds where it is
+  Seconds stop_after{0.250};  ///< target older than this while following: stop
   Seconds camera_silent_after{0.250};
   Seconds robot_silent_after{0.050};
   Seconds servo_late_after{0.100};
@@ -17,18 +17,18 @@ struct SupervisorSettings {
 /// What the supervisor looks at, once a servo cycle.
 struct Vitals {
   TimePoint now{};
-  TimePoint last_frame{};   ///< exposure of the newest frame
-  TimePoint last_target{};  ///< exposure of the newest frame in which the target was tracked
-  TimePoint last_robot{};   ///< newest state of the robot
-  TimePoint last_cycle{};   ///< servo cycle before this one
+  TimePoint last_frame{};            ///< exposure of the newest frame
+  TimePoint last_target{};           ///< exposure of the newest frame in which the target was tracked
+  TimePoint last_robot{};            ///< newest state of the robot
+  TimePoint last_cycle{};            ///< servo cycle before this one
   double following_error_rad = 0.0;  ///< largest joint difference, commanded to measured
-  bool following = false;   ///< the robot follows the target now
+  bool following = false;            ///< the robot follows the target now
 };
 
 /// What it allows.
 enum class Permit : std::uint8_t {
   kMove,
-  kHold,  ///< come to rest on the trajectory and wait; goes on by itself when the target is back
+  kHold,  ///< brake and wait; goes on by itself when the target is back
   kStop,  ///< latched
 };
 
@@ -37,7 +37,8 @@ struct Verdict {
   StopReason reason = StopReason::kNone;
 };
 
-/// The watchdogs. A pure function: the latch lives in the servo loop. Does not allocate.
+/// The watchdogs, the robot's before the target's; those of frames and target watch only while following. A
+/// pure function: the latch lives in the servo loop. Does not allocate.
 [[nodiscard]] Verdict supervise(const Vitals& vitals, const SupervisorSettings& settings) noexcept;
 
 }  // namespace mirrorarm::control

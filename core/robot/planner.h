@@ -9,6 +9,7 @@
 #include "core/common/expected.h"
 #include "core/common/time.h"
 #include "core/robot/arm_description.h"
+#include "core/robot/joints.h"
 
 namespace mirrorarm::robot {
 
@@ -21,19 +22,25 @@ struct Obstacle {
 struct PlannerSettings {
   double resolution_rad = 0.02;  ///< largest joint step between two collision checks
   double max_joint_range_rad =
-      1.0;  ///< a path that moves one joint further than this from both ends is rejected
-  Seconds max_time{0.5};
+      1.0;                ///< a path that moves one joint further than this from both ends is rejected
+  Seconds max_time{0.5};  ///< for both searches of a plan; their number of steps is bounded too
   std::uint64_t seed = 1;
 };
 
 /// Why there is no path.
-enum class PlanError { kStartBlocked, kGoalBlocked, kNoPath, kJointRange };
+enum class PlanError {
+  kStartBlocked,
+  kGoalBlocked,  ///< or outside the arm's joint ranges
+  kNoPath,
+  kJointRange,  ///< there is a path, but one that moves a joint too far
+};
 /// "start_blocked", ...
 [[nodiscard]] std::string_view id(PlanError error);
 
 struct PlannedPath {
-  std::vector<Joints> waypoints;  ///< after the start, the goal last
-  bool direct = true;             ///< the straight joint motion was clear
+  std::vector<Joints>
+      waypoints;       ///< after the start, the goal last; at most 32, edges short enough for a spline
+  bool direct = true;  ///< the straight joint motion was clear
 };
 
 /// Self-collision and obstacles of one arm (FCL inside), and paths around them (RRT-Connect of OMPL), tried
@@ -41,13 +48,18 @@ struct PlannedPath {
 /// ICRA 2000.
 class Planner {
  public:
-  /// `attached` are shapes fixed to the flange (link = jointCount()): camera bar, sling.
+  /// `attached` are shapes fixed to the flange (link = jointCount()): camera
+  /// bar, sling.
   Planner(const ArmDescription& arm, std::span<const Capsule> attached, std::span<const Obstacle> obstacles,
           const PlannerSettings& settings);
   ~Planner();
+  Planner(Planner&&) noexcept;
+  Planner& operator=(Planner&&) noexcept;
 
   [[nodiscard]] bool collides(const Joints& q) const;
+  /// Both ends and the straight joint motion between them.
   [[nodiscard]] bool directIsClear(const Joints& from, const Joints& to) const;
+  /// The same question finds the same path, unless time runs out first.
   [[nodiscard]] Expected<PlannedPath, PlanError> plan(const Joints& from, const Joints& to);
 
  private:

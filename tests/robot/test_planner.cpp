@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include "core/robot/kinematics.h"
+#include "core/robot/planner.h"
+#include "tests/robot/arms.h"
+
+namespace mirrorarm::robot {
+namespace {
+
+Planner plannerAround(std::span<const Obstacle> obstacles, const PlannerSettings& settings = {}) {
+  return {testing::lbr(), {}, obstacles, settings};
+}
+
+Joints turned(double a1) {
+  Joints q = testing::working();
+  q[0] = a1;
+  return q;
+}
+
+/// A thin wall where the flange passes on its way from turned(-0.5) to turned(0.5).
+std::vector<Obstacle> wall(double height) {
+  const Eigen::Vector3d flange = Kinematics(testing::lbr()).flange(turned(0.0)).translation();
+  return {{makeTransform(Eigen::Quaterniond::Identity(), flange), {0.15, 0.01, height}}};
+}
+
+}  // namespace
+
+TEST(Planner, KnowsWhenTheArmTouchesItself) {
+  const Planner planner = plannerAround({});
+  EXPECT_FALSE(planner.collides(Joints::Zero(7)));
+  EXPECT_FALSE(planner.collides(testing::working()));
+  Joints elbow_bent = Joints::Zero(7), wrist_bent = Joints::Zero(7), into_base = Joints::Zero(7);
+  elbow_bent[3] = 2.09;
+  EXPECT_FALSE(planner.collides(elbow_bent));
+  wrist_bent[5] = 2.09;
+  EXPECT_FALSE(planner.collides(wrist_bent));
+  // Shoulder and elbow bent by 120 degrees in the same sense carry the wrist into the base column.
+  into_base[1] = -2.09;
+  into_base[3] = 2.09;
+  EXPECT_TRUE(planner.collides(into_base));
+}
+
+TEST(Planner, AttachedShapesTouchTheUpperArm) {
+  Joints folded = Joints::Zero(7);
+  folded[3] = 2.09;
+  folded[5] = -2.09;
+  EXPECT_FALSE(plannerAround({}).collides(folded));
+  const std::vector<Capsule> bar = {{7, Eigen::Vector3d::Zero(), {0.0, 0.0, 0.25}, 0.03}};
+  const Planner with_bar(testing::lbr(), bar, {}, {});
+  EXPECT_TRUE(with_bar.collides(folded));
+  EXPECT_FALSE(with_bar.collides(testing::working()));
+}
+
+TEST(Planner, ClearMotionIsStraight) {
+  Planner planner = plannerAround({});
+  const auto path = planner.plan(turned(-0.5), turned(0.5));
+  ASSERT_TRUE(path);
+  EXPECT_TRUE(path->direct);
+  ASSERT_EQ(path->waypoints.size(), 1U);
+  EXPECT_EQ(path->waypoints[0], turned(0.5));
+}
+
+TEST(Planner, GoesAroundAWallWithoutTouchingIt) {
+  const auto obstacles = wall(0.2);
+  Planner planner = plannerAround(obstacles);
+  EXPECT_FALSE(planner.directIsClear(turned(-0.5), turned(0.5)));
+  const auto path = planner.plan(turned(-0.5), turned(0.5));
+  ASSERT_TRUE(path) << id(path.error());
+  EXPECT_FALSE(path->direct);
+  EXPECT_LE(path->waypoints.size(), 32U);
+  EXPECT_EQ(path->waypoints.back(), turned(0.5));
+  Joints last = turned(-0.5);
+  double length = 0.0;
+  for (const Joints& next : path->waypoints) {
+    EXPECT_TRUE(planner.directIsClear(last, next));
+    EXPECT_LE(next[0], 1.5);
+    EXPECT_GE(next[0], -1.5);
+    length += (next - last).norm();
+    last = next;
+  }
+  EXPECT_LT(length, 4.0);  // the straight way is 1 long
+}
+
+TEST(Planner, SameQuestionSamePath) {
+  const auto obstacles = wall(0.2);
+  const auto one = plannerAround(obstacles).plan(turned(-0.5), turned(0.5));
+  const auto other = plannerAround(obstacles).plan(turned(-0.5), turned(0.5));
+  ASSERT_TRUE(one && other);
+  ASSERT_EQ(one->waypoints.size(), other->waypoints.size());
+  for (std::size_t i = 0; i < one->waypoints.size(); ++i) EXPECT_EQ(one->waypoints[i], other->waypoints[i]);
+}
+
+TEST(Planner, SaysWhyThereIsNoPath) {
+  const auto obstacles = wall(0.2);
+  Planner planner = plannerAround(obstacles);
+  EXPECT_EQ(planner.plan(turned(0.0), turned(0.5)).error(), PlanError::kStartBlocked);
+  EXPECT_EQ(planner.plan(turned(0.5), turned(0.0)).error(), PlanError::kGoalBlocked);
+  EXPECT_EQ(planner.plan(turned(0.5), turned(3.1)).error(), PlanError::kGoalBlocked);
+}
+
+TEST(Planner, RefusesPathsThatMoveAJointTooFar) {
+  const auto obstacles = wall(1.6);
+  PlannerSettings narrow;
+  narrow.max_joint_range_rad = 0.02;
+  narrow.max_time = Seconds(2.0);
+  const auto path = plannerAround(obstacles, narrow).plan(turned(-0.5), turned(0.5));
+  ASSERT_FALSE(path);
+  EXPECT_TRUE(path.error() == PlanError::kJointRange || path.error() == PlanError::kNoPath);
+}
+
+}  // namespace mirrorarm::robot
