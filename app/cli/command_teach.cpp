@@ -73,7 +73,7 @@ void teach(const Options& options, Context& context) {
 
 void addTeach(CLI::App& app, Context& context) {
   CLI::App* command = addCommand(app, context, "teach", "Learn a target from measured points",
-                                 "mirrorarm-cli teach --clouds clouds.csv --seconds 5 --out forearm.yaml");
+                                 "mirrorarm-cli teach recording --seconds 5 --out forearm.yaml");
   const auto options = std::make_shared<Options>();
   addPointInput(*command, options->input);
   command->add_option("--out", options->out, "Target to write; its name is the file's")->required();

@@ -115,9 +115,9 @@ void track(const Options& options, Context& context) {
 }  // namespace
 
 void addTrack(CLI::App& app, Context& context) {
-  CLI::App* command = addCommand(
-      app, context, "track", "Find taught targets in every frame",
-      "mirrorarm-cli track --clouds clouds.csv --target forearm.yaml --out poses.csv --matches matches.csv");
+  CLI::App* command =
+      addCommand(app, context, "track", "Find taught targets in every frame",
+                 "mirrorarm-cli track recording --target forearm.yaml --out poses.csv --matches matches.csv");
   const auto options = std::make_shared<Options>();
   addPointInput(*command, options->input);
   command->add_option("--target", options->targets, "Taught target, once for each")->required();

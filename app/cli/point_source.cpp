@@ -1,7 +1,9 @@
 #include "app/cli/point_source.h"
 
 #include "app/cli/command.h"
+#include "core/devices/recording.h"
 #include "core/tracking/cloud_file.h"
+#include "core/vision/stereo_vision.h"
 
 namespace mirrorarm::cli {
 namespace {
@@ -24,16 +26,39 @@ class CloudSource final : public PointSource {
   std::vector<tracking::Cloud> clouds_;
 };
 
+class RecordingSource final : public PointSource {
+ public:
+  explicit RecordingSource(const std::filesystem::path& folder)
+      : recording_(orRefuse(devices::Recording::open(folder))),
+        vision_(recording_.rig(), vision::FinderSettings{}, vision::MatcherSettings{}) {}
+
+  std::size_t size() const override { return recording_.size(); }
+
+  PointFrame frame(std::size_t i) override {
+    const camera::StereoFrame images = orRefuse(recording_.frame(i));
+    const TimePoint begin = Clock::now();
+    auto observation = vision_.observe(images);
+    const double vision_ms = 1e3 * secondsBetween(begin, Clock::now());
+    return {recording_.index(i), observation.exposed_at, std::move(observation.points), vision_ms};
+  }
+
+ private:
+  devices::Recording recording_;
+  vision::StereoVision vision_;
+};
+
 }  // namespace
 
 void addPointInput(CLI::App& command, PointInput& input) {
   auto* group = command.add_option_group("Input", "Exactly one");
+  group->add_option("REC", input.recording, "Folder of a recording");
   group->add_option("--clouds", input.clouds, "Table of measured points: index,time_ns,x_m,y_m,z_m");
   group->require_option(1);
 }
 
 std::unique_ptr<PointSource> openPoints(const PointInput& input) {
-  return std::make_unique<CloudSource>(input.clouds);
+  if (!input.clouds.empty()) return std::make_unique<CloudSource>(input.clouds);
+  return std::make_unique<RecordingSource>(input.recording);
 }
 
 }  // namespace mirrorarm::cli
