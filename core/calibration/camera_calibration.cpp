@@ -6,7 +6,6 @@ namespace mirrorarm::calibration {
 namespace {
 
 constexpr std::size_t kFewestViews = 3;
-constexpr int kRounds = 3;
 constexpr double kOutlierShare = 3.0;     ///< of the median view's misfit
 constexpr double kLeastOutlier_px = 0.1;  ///< a view better than this is never one
 constexpr double kLargestRms_px = 5.0;
@@ -24,20 +23,16 @@ std::vector<BoardView> pick(std::span<const BoardView> views, std::span<const st
   return picked;
 }
 
-/// Moves the views that fit badly from `used` to `outliers` and their poses out of the bundle, which is then
-/// a start for the rest. False when all fit.
-bool dropOutliers(SolvedViews& solved) {
-  const double limit_px = std::max(kOutlierShare * median(solved.fit.view_rms_px), kLeastOutlier_px);
-  std::vector<std::size_t> kept;
-  std::vector<RigidTransform> poses;
-  for (std::size_t i = 0; i < solved.used.size(); ++i) {
-    const bool fits = solved.fit.view_rms_px[i] <= limit_px;
-    (fits ? kept : solved.outliers).push_back(solved.used[i]);
-    if (fits) poses.push_back(solved.fit.bundle.X_CM[i]);
-  }
-  if (kept.size() == solved.used.size()) return false;
-  solved.used = std::move(kept);
-  solved.fit.bundle.X_CM = std::move(poses);
+/// Moves the worst view from `used` to `outliers`, and its pose out of the bundle, which is then a start for
+/// the rest; one at a time, because a bad view bends the fit of good ones. False when all fit.
+bool dropWorst(SolvedViews& solved) {
+  const auto& rms_px = solved.fit.view_rms_px;
+  const auto worst = std::max_element(rms_px.begin(), rms_px.end());
+  if (*worst <= std::max(kOutlierShare * median(rms_px), kLeastOutlier_px)) return false;
+  const auto at = worst - rms_px.begin();
+  solved.outliers.push_back(solved.used[static_cast<std::size_t>(at)]);
+  solved.used.erase(solved.used.begin() + at);
+  solved.fit.bundle.X_CM.erase(solved.fit.bundle.X_CM.begin() + at);
   return true;
 }
 
@@ -60,7 +55,7 @@ std::string_view reason(CalibrationError error) {
     case CalibrationError::kViewsTooAlike:
       return "the views do not fix the focal length: tilt the board by 20 to 45 degrees in all directions";
     case CalibrationError::kMisfit:
-      return "the best lens is more than 5 px off: check the board's size and that it is flat";
+      return "the views contradict each other: check the board's size, that it is flat and stood still";
   }
   return "is refused";
 }
@@ -74,8 +69,9 @@ Expected<SolvedViews, CalibrationError> solveViews(const Board& board, std::span
   if (!fit) return unexpected(CalibrationError::kNotSolved);
   SolvedViews solved{std::move(*fit), {}, {}};
   for (std::size_t i = 0; i < views.size(); ++i) solved.used.push_back(i);
-  for (int round = 0; round < kRounds && dropOutliers(solved); ++round) {
-    if (solved.used.size() < kFewestViews) return unexpected(CalibrationError::kTooFewViews);
+  while (dropWorst(solved)) {
+    if (solved.used.size() < std::max(kFewestViews, views.size() / 2))
+      return unexpected(CalibrationError::kMisfit);
     auto again = adjustBundle(solved.fit.bundle, points, pick(views, solved.used));
     if (!again) return unexpected(CalibrationError::kNotSolved);
     solved.fit = std::move(*again);

@@ -30,7 +30,7 @@ struct SolvedViews {
 };
 
 /// Solves one camera or, where the views hold second pixels, a rig; finds outlier views and solves again
-/// without them. At least 3 views must remain.
+/// without them. At least 3 views, and half of them, must remain.
 [[nodiscard]] Expected<SolvedViews, CalibrationError> solveViews(const Board& board,
                                                                  std::span<const BoardView> views,
                                                                  ImageSize size, camera::LensModel model);

@@ -47,7 +47,7 @@ TEST(PosePairs, DamagedFilesNeverCrash) {
   const TestFolder folder("pose_pairs_fuzz");
   StationMaker maker;
   ASSERT_TRUE(writePosePairs(folder / "pairs.csv", maker.stations(3)));
-  fuzz(folder / "pairs.csv", 500, [](const auto& file) {
+  fuzz(folder / "pairs.csv", 300, [](const auto& file) {
     const auto read = readPosePairs(file);
     if (!read) return;
     for (const auto& pair : *read) EXPECT_TRUE(isRigid(pair.X_BF) && isRigid(pair.X_CM));
@@ -108,7 +108,7 @@ TEST(HandEyeFile, Refuses) {
 TEST(HandEyeFile, DamagedFilesNeverCrash) {
   const TestFolder folder("hand_eye_fuzz");
   ASSERT_TRUE(writeHandEye(folder / "h.yaml", example(CameraMount::kInHand)));
-  fuzz(folder / "h.yaml", 500, [](const auto& file) {
+  fuzz(folder / "h.yaml", 300, [](const auto& file) {
     const auto read = readHandEye(file);
     EXPECT_TRUE(!read || isRigid(read->X_PC));
   });

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/calibration/bundle.h"
+#include "core/camera/stereo_rig.h"
+
+namespace mirrorarm::calibration {
+
+inline camera::CameraModel lens(camera::LensModel model, double fx_px, double cx_px) {
+  camera::Intrinsics i;
+  i.model = model;
+  i.width_px = 1296;
+  i.height_px = 964;
+  i.fx_px = fx_px;
+  i.fy_px = 1.002 * fx_px;
+  i.cx_px = cx_px;
+  i.cy_px = 478.3;
+  if (model == camera::LensModel::kBrownConrady)
+    i.distortion = {-0.21, 0.04, 0.0, 0.0, 0.0};
+  else
+    i.distortion = {0.03, -0.012, 0.004, -0.0006, 0.0};
+  return camera::CameraModel(i);
+}
+
+/// A bar of 120 mm, slightly toed in: a narrow lens pair, or fisheyes of 135 degrees.
+inline camera::StereoRig trueRig(camera::LensModel model) {
+  camera::StereoRig rig;
+  const double f_px = model == camera::LensModel::kBrownConrady ? 1050.0 : 550.0;
+  rig.left = lens(model, f_px, 651.7);
+  rig.right = lens(model, 1.005 * f_px, 643.1);
+  rig.X_RC =
+      makeTransform(Eigen::Quaterniond(Eigen::AngleAxisd(0.03, Eigen::Vector3d(0.2, 1.0, -0.1).normalized())),
+                    Eigen::Vector3d(-0.12, 0.001, 0.002));
+  return rig;
+}
+
+/// Makes views of a board as a person would hold it: tilted up to 40 degrees, all over both images.
+struct ViewMaker {
+  camera::StereoRig rig;
+  Board board{BoardKind::kChessboard, 9, 6, 0.025};
+  double noise_px = 0.0;
+  double reach = 0.6;  ///< how far the board goes aside, as a share of its distance
+  std::mt19937 random{3};
+
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  }
+
+  RigidTransform boardPose() {
+    const Eigen::Vector3d axis(between(-1, 1), between(-1, 1), between(-0.3, 0.3));
+    const Eigen::Quaterniond tilt(Eigen::AngleAxisd(between(0.1, 0.7), axis.normalized()));
+    const double z = between(0.28, 0.6);
+    const Eigen::Vector3d middle(0.1, 0.0625, 0.0);
+    return makeTransform(
+        tilt, Eigen::Vector3d(z * between(-reach, reach) + 0.06, 0.7 * z * between(-reach, reach), z) -
+                  tilt * middle);
+  }
+
+  bool see(const camera::CameraModel& camera, const RigidTransform& X_KM, BoardPixels& pixels) {
+    std::normal_distribution<double> noise(0.0, 1.0);
+    for (const auto& p_M : boardPoints(board)) {
+      const auto pixel = camera.project(X_KM * p_M);
+      if (!pixel || !camera.sees(*pixel, 2.0)) return false;
+      pixels.emplace_back(pixel->x() + noise_px * noise(random), pixel->y() + noise_px * noise(random));
+    }
+    return true;
+  }
+
+  std::vector<BoardView> views(std::size_t count) {
+    std::vector<BoardView> made;
+    while (made.size() < count) {
+      const RigidTransform X_CM = boardPose();
+      BoardView view{"view" + std::to_string(made.size()), {}};
+      if (see(rig.left, X_CM, view.pixels[0]) && see(rig.right, rig.X_RC * X_CM, view.pixels[1]))
+        made.push_back(std::move(view));
+    }
+    return made;
+  }
+};
+
+}  // namespace mirrorarm::calibration
