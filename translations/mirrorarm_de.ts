@@ -15,6 +15,10 @@
         <source>Stop</source>
         <translation>Halt</translation>
     </message>
+    <message>
+        <source>range in every %1 s</source>
+        <translation>Bereich in je %1 s</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>

@@ -23,7 +23,10 @@ struct Alignment {
   Eigen::Vector3d midplane_normal_B = Eigen::Vector3d::UnitY();  ///< of the body's midplane, for the mirror
 };
 
-/// Where the end effector belongs when the target stands at `X_BT_now`: a pure function.
+/// Where the end effector belongs when the target stands at `X_BT_now`: a pure function. In the mirror the
+/// end effector is shifted by the reflected shift and turned in place by the reflected turn since aligning,
+/// because where the midplane lies between the arms is not known. `midplane_normal_B` need not be of unit
+/// length, but not zero.
 [[nodiscard]] RigidTransform goalOf(const Alignment& alignment, Mapping mapping,
                                     const RigidTransform& X_BT_now);
 

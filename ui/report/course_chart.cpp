@@ -6,6 +6,7 @@
 
 #include <qcustomplot.h>
 
+#include "ui/report/course_envelope.h"
 #include "ui/report/report_style.h"
 
 namespace mirrorarm::ui::report {
@@ -15,6 +16,8 @@ class CourseCharts {
   Q_DECLARE_TR_FUNCTIONS(CourseCharts)
 };
 
+constexpr double kLongestLine_s = 300.0;
+constexpr int kEnvelopeIntervals = 120;
 constexpr double kTitleHeight = 22.0;
 constexpr double kTimesHeight = 28.0;  ///< time's tick labels and name
 
@@ -99,13 +102,32 @@ void addStops(const CourseChart& chart, QCustomPlot& plot, QCPAxisRect* rect) {
   }
 }
 
-void addCourses(const CourseChart& chart, const Panel& panel, QCustomPlot& plot, QCPAxisRect* rect) {
-  const QVector<double> times(chart.time_s->begin(), chart.time_s->end());
-  for (const auto& course : panel.courses) {
+/// Longer courses show their envelope: single movements would run together into a block of colour.
+bool showsEnvelopes(const CourseChart& chart) { return chart.span.to_s - chart.span.from_s > kLongestLine_s; }
+
+QVector<double> vectorOf(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+void addEnvelope(const CourseChart& chart, const Course& course, QCustomPlot& plot, QCPAxisRect* rect) {
+  const auto envelope = envelopeOf(*chart.time_s, *course.values, chart.span, kEnvelopeIntervals);
+  QColor fill = course.colour;
+  fill.setAlphaF(0.35);
+  QCPGraph* low = nullptr;
+  for (const auto* edge : {&envelope.low, &envelope.high}) {
     auto* graph = plot.addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-    graph->setPen(QPen(course.colour, 1.2));
-    graph->setData(times, QVector<double>(course.values->begin(), course.values->end()), true);
+    graph->setPen(QPen(course.colour, 0.8));
+    graph->setData(vectorOf(envelope.time_s), vectorOf(*edge), true);
+    if (low) {
+      graph->setBrush(fill);
+      graph->setChannelFillGraph(low);
+    }
+    low = graph;
   }
+}
+
+void addLine(const CourseChart& chart, const Course& course, QCustomPlot& plot, QCPAxisRect* rect) {
+  auto* graph = plot.addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+  graph->setPen(QPen(course.colour, 1.2));
+  graph->setData(vectorOf(*chart.time_s), vectorOf(*course.values), true);
 }
 
 QCPAxisRect* addPanel(const CourseChart& chart, const Panel& panel, const QCPRange& range,
@@ -128,7 +150,8 @@ QCPAxisRect* addPanel(const CourseChart& chart, const Panel& panel, const QCPRan
   values->setLabel(panel.label);
   values->setRange(range);
   addRests(chart, plot, rect);
-  addCourses(chart, panel, plot, rect);
+  for (const auto& course : panel.courses)
+    showsEnvelopes(chart) ? addEnvelope(chart, course, plot, rect) : addLine(chart, course, plot, rect);
   addStops(chart, plot, rect);
   return rect;
 }
@@ -200,6 +223,16 @@ void drawLegend(const CourseChart& chart, QCPPainter& painter, const QRectF& lin
   }
 }
 
+/// Behind the title: what the bands are.
+void drawEnvelopeRemark(const CourseChart& chart, QCPPainter& painter, const QRectF& line) {
+  const double title_width = QFontMetricsF(painter.font()).horizontalAdvance(chart.title);
+  const double interval_s = (chart.span.to_s - chart.span.from_s) / kEnvelopeIntervals;
+  painter.setPen(kQuietInk);
+  painter.setFont(font(10));
+  painter.drawText(line.adjusted(title_width + 8.0, 0.0, 0.0, 0.0), Qt::AlignVCenter,
+                   CourseCharts::tr("range in every %1 s").arg(QLocale().toString(interval_s, 'f', 0)));
+}
+
 }  // namespace
 
 void draw(const CourseChart& chart, QCPPainter& painter, const QRectF& place) {
@@ -207,6 +240,7 @@ void draw(const CourseChart& chart, QCPPainter& painter, const QRectF& place) {
   painter.setPen(kInk);
   painter.setFont(font(12, QFont::Bold));
   painter.drawText(line, Qt::AlignVCenter, chart.title);
+  if (showsEnvelopes(chart)) drawEnvelopeRemark(chart, painter, line);
   drawLegend(chart, painter, line);
   drawPanels(chart, painter, place.adjusted(0.0, kTitleHeight, 0.0, 0.0));
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/report/synthetic_record.h"
+#include "ui/report/course_envelope.h"
 #include "ui/report/report_contents.h"
 #include "ui/report/report_layout.h"
 #include "ui/report/report_words.h"
@@ -91,6 +92,15 @@ TEST(ReportWords, UnknownIdsAreShownAsTheyAre) {
   EXPECT_EQ(eventWords("stop.meteorite"), "stop.meteorite");
   EXPECT_EQ(exerciseWords("dance"), "dance");
   EXPECT_EQ(clockTime(247.2), "4:07");
+}
+
+TEST(CourseEnvelope, HoldsEveryValueAndKnowsItsGaps) {
+  const std::vector<double> times{0.0, 0.4, 1.0, 1.5, 3.0, 9.0}, values{1.0, -2.0, 5.0, NAN, 7.0, 99.0};
+  const auto envelope = report::envelopeOf(times, values, {0.0, 3.0}, 3);
+  EXPECT_EQ(envelope.time_s, (std::vector{0.5, 1.5, 2.5}));
+  EXPECT_EQ(envelope.low, (std::vector{-2.0, 5.0, 7.0}));
+  EXPECT_EQ(envelope.high, (std::vector{1.0, 5.0, 7.0}));
+  EXPECT_TRUE(std::isnan(report::envelopeOf(times, values, {4.0, 8.0}, 1).low.front()));
 }
 
 TEST(ReportLayout, BlocksKeepTheirOrderAndArePushedWhole) {
