@@ -85,6 +85,9 @@ std::optional<Rejection> refuse(const DetectedMarker& marker, double rms, const 
   if (2.0 * a > settings.max_diameter_px) return Rejection::kTooLarge;
   if (a > settings.max_axis_ratio * b) return Rejection::kTooElongated;
   if (rms > std::min(settings.max_fit_rms_px, kRmsOfRadius * (1.0 + b))) return Rejection::kNotAnEllipse;
+  const double sigma2 = marker.covariance_px2.diagonal().maxCoeff();
+  if (!(sigma2 <= settings.max_centre_sigma_px * settings.max_centre_sigma_px))
+    return Rejection::kNotAnEllipse;
   if (marker.outline_fraction < settings.min_outline_fraction) return Rejection::kCut;
   return std::nullopt;
 }
@@ -109,11 +112,11 @@ Expected<DetectedMarker, Rejection> DiscFit::fit(std::span<const EdgePoint> outl
   const double length_px = circumference(marker.ellipse);
   marker.outline_fraction = supportedShare(fitted->ellipse, length_px);
   undoBlur(marker.ellipse, sigma_px);
-  if (const auto reason = refuse(marker, fitted->rms, settings_)) return unexpected(*reason);
   const auto supporting = static_cast<double>(std::count(supports_.begin(), supports_.end(), 1));
   marker.covariance_px2 = pointVariance(outline, noise, sigma_px, fitted->rms) *
                           pointsPerIndependent(supporting, length_px, sigma_px) * J * fitted->cofactor *
                           J.transpose();
+  if (const auto reason = refuse(marker, fitted->rms, settings_)) return unexpected(*reason);
   return marker;
 }
 

@@ -9,6 +9,7 @@ struct FinderSettings {
   double max_diameter_px = 60.0;
   double max_axis_ratio = 4.0;        ///< major to minor axis
   double max_fit_rms_px = 0.35;       ///< edge points from the fitted ellipse; less for small discs
+  double max_centre_sigma_px = 0.3;   ///< a centre less certain than that is no measurement
   double min_outline_fraction = 0.6;  ///< share of the outline that edge points must support
   double edge_sigma_px = 1.0;   ///< scale of the edge detector; twice that for discs beyond 14 times as much
   bool dark_on_bright = false;  ///< calibration plates: dark dots on bright ground
@@ -20,7 +21,9 @@ struct FinderSettings {
   FinderSettings settings;
   settings.min_diameter_px = 6.0;
   settings.max_diameter_px = 100.0;
-  settings.max_fit_rms_px = 0.7;
+  settings.max_axis_ratio = 2.5;
+  settings.max_fit_rms_px = 1.0;
+  settings.max_centre_sigma_px = 0.45;
   settings.dark_on_bright = true;
   return settings;
 }

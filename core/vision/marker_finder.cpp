@@ -15,12 +15,12 @@ namespace mirrorarm::vision {
 namespace {
 
 constexpr std::size_t kLevels = 3;  // a candidate that is no disc is cut at half its height twice more
-constexpr double kSkirt_px =
-    8.0;  // blur around a disc that is still above the threshold, both sides together
+constexpr double kSkirt_px = 8.0;   // blur around a disc that is above the threshold, both sides together
 constexpr int kRoiMargin_px = 5;
 constexpr double kCoarser = 2.0;
-constexpr double kSigmasAcross = 7.0;  // a disc must measure to be seen at that scale
-constexpr float kStrongShare = 0.10F;  // of the contrast, per pixel; a disc's edge has 0.2 to 0.3
+constexpr double kSigmasAcross = 7.0;   // of a large disc
+constexpr double kSigmasAtLeast = 4.0;  // of any disc that is looked at on that scale
+constexpr float kStrongShare = 0.10F;   // of the contrast, per sigma; a disc's edge has 0.2 to 0.3
 constexpr float kWeakShare = 0.04F;
 constexpr float kStrongNoises = 5.0F;
 constexpr float kWeakNoises = 2.5F;
@@ -55,6 +55,8 @@ struct MarkerFinder::Body {
   void search(const Region& region);
   void examine(const Component& component, std::size_t level);
   [[nodiscard]] Expected<DetectedMarker, Rejection> measure(const Component& component);
+  [[nodiscard]] Expected<DetectedMarker, Rejection> measureAt(const Component& component,
+                                                              EdgeDetector& edges);
   [[nodiscard]] std::optional<Rejection> refuse(const Component& component) const;
   [[nodiscard]] EdgeThresholds edgeThresholds(const Component& component, double sigma_px) const;
   bool splits(const Component& component, std::size_t level);
@@ -102,21 +104,29 @@ std::optional<Rejection> MarkerFinder::Body::refuse(const Component& component) 
 }
 
 EdgeThresholds MarkerFinder::Body::edgeThresholds(const Component& component, double sigma_px) const {
+  const auto sigma = static_cast<float>(sigma_px);
   const float contrast = static_cast<float>(component.peak) - map.background(component.x(), component.y());
   // Standard deviation of the gradient of white noise under a Gaussian: noise / (sqrt(8 pi) sigma^2).
-  const auto noise =
-      map.noise(component.x(), component.y()) * static_cast<float>(0.2 / (sigma_px * sigma_px));
-  return {std::max(kStrongShare * contrast, kStrongNoises * noise),
-          std::max(kWeakShare * contrast, kWeakNoises * noise)};
+  const float noise = 0.2F * map.noise(component.x(), component.y()) / (sigma * sigma);
+  return {std::max(kStrongShare * contrast / sigma, kStrongNoises * noise),
+          std::max(kWeakShare * contrast / sigma, kWeakNoises * noise)};
 }
 
 Expected<DetectedMarker, Rejection> MarkerFinder::Body::measure(const Component& component) {
   if (const auto reason = refuse(component)) return unexpected(*reason);
   const int shorter = std::min(component.box.width(), component.box.height());
-  EdgeDetector& edges = shorter >= kSigmasAcross * coarse.sigma_px() ? coarse : fine;
+  if (shorter >= kSigmasAcross * coarse.sigma_px()) return measureAt(component, coarse);
+  const auto marker = measureAt(component, fine);
+  if (marker || shorter < kSigmasAtLeast * coarse.sigma_px()) return marker;
+  return measureAt(component, coarse);
+}
+
+Expected<DetectedMarker, Rejection> MarkerFinder::Body::measureAt(const Component& component,
+                                                                  EdgeDetector& edges) {
   const auto around = intersection(grown(component.box, kRoiMargin_px), image.frame());
-  const auto points = edges.detect(image, around, edgeThresholds(component, edges.sigma_px()));
-  selectOutline(points, {component.x(), component.y()}, outline);
+  const auto thresholds = edgeThresholds(component, edges.sigma_px());
+  const auto points = edges.detect(image, around, thresholds);
+  selectOutline(points, {component.x(), component.y()}, thresholds.strong, outline);
   const double noise = map.noise(component.x(), component.y());
   return disc.fit(outline, camera ? &*camera : nullptr, noise, edges.sigma_px());
 }
@@ -146,7 +156,7 @@ void MarkerFinder::Body::dropDoubles() {
     const bool twice = std::any_of(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(kept),
                                    [&](const auto& other) {
                                      return (other.centre_px - markers[i].centre_px).norm() <
-                                            std::max(1.0, 0.5 * other.ellipse.semi_minor_px);
+                                            std::max(1.0, other.ellipse.semi_minor_px);
                                    });
     if (!twice) markers[kept++] = markers[i];
   }

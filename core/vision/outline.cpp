@@ -15,7 +15,8 @@ constexpr int kSectors = 16;
 struct Support {
   int contour = -1;
   std::uint32_t sectors = 0;
-  double strength = 0.0;
+  double strength = 0.0;  ///< sum of the gradients
+  int points = 0;
 
   [[nodiscard]] int covered() const { return std::popcount(sectors); }
   [[nodiscard]] bool betterThan(const Support& other) const {
@@ -34,18 +35,19 @@ std::uint32_t sectorBit(const Eigen::Vector2f& outwards) {
 }
 
 Support supportOf(std::span<const EdgePoint> edges, int contour, const Eigen::Vector2f& inside) {
-  Support support{contour, 0, 0.0};
+  Support support{contour};
   for (const auto& point : edges) {
     if (point.contour != contour || !pointsInwards(point, inside)) continue;
     support.sectors |= sectorBit(point.position_px - inside);
     support.strength += point.gradient.norm();
+    ++support.points;
   }
   return support;
 }
 
 }  // namespace
 
-void selectOutline(std::span<const EdgePoint> edges, const Eigen::Vector2d& inside,
+void selectOutline(std::span<const EdgePoint> edges, const Eigen::Vector2d& inside, float least_gradient,
                    std::vector<EdgePoint>& outline) {
   outline.clear();
   const Eigen::Vector2f centre = inside.cast<float>();
@@ -58,7 +60,7 @@ void selectOutline(std::span<const EdgePoint> edges, const Eigen::Vector2d& insi
     const auto support = supportOf(edges, contour, centre);
     if (support.betterThan(best)) best = support;
   }
-  if (best.covered() < kSectors / 2) return;
+  if (best.covered() < kSectors / 2 || best.strength < least_gradient * best.points) return;
   for (const auto& point : edges)
     if (point.contour == best.contour && pointsInwards(point, centre)) outline.push_back(point);
 }
