@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   Context context;
   addCalibrate(app, context);
+  addDetect(app, context);
   addTeach(app, context);
   addTrack(app, context);
   try {
