@@ -16,6 +16,9 @@ constexpr double kCheckEvery_rad = 0.02;      // of the finished motion, for col
 constexpr int kToolSamples = 24;
 constexpr int kToolRounds = 4;
 constexpr double kToolSlack = 1.001;
+constexpr double kPosturePull =
+    0.02;                         // of the way back to the first posture, each step: 2 s at 25 steps a second
+constexpr double kInside = 0.99;  // motions are planned this far inside what the motion guard enforces
 
 double largest(const Joints& q) { return q.cwiseAbs().maxCoeff(); }
 
@@ -28,6 +31,14 @@ robot::ArmDescription within(const robot::MotionLimits& limits, robot::ArmDescri
   return arm;
 }
 
+robot::MotionLimits inside(robot::MotionLimits limits) {
+  limits.max_speed_rad_s *= kInside;
+  limits.max_acceleration_rad_s2 *= kInside;
+  limits.max_tool_speed_m_s *= kInside;
+  limits.max_tool_acceleration_m_s2 *= kInside;
+  return limits;
+}
+
 FollowOutcome outcomeOf(robot::PlanError error) {
   return error == robot::PlanError::kJointRange ? FollowOutcome::kJointRange : FollowOutcome::kBlocked;
 }
@@ -38,7 +49,7 @@ struct Follower::Body {
   Body(const robot::ArmDescription& arm, const RigidTransform& sling, const robot::MotionLimits& profile,
        robot::Planner collision_planner, const FollowerSettings& chosen)
       : X_EF(sling.inverse()),
-        limits(profile),
+        limits(inside(profile)),
         settings(chosen),
         kinematics(within(profile, arm)),
         planner(std::move(collision_planner)) {}
@@ -50,6 +61,15 @@ struct Follower::Body {
   [[nodiscard]] bool isInDeadBand(const RigidTransform& X_BE) const {
     return (X_BE.translation() - last_goal.translation()).norm() < settings.dead_band_m &&
            angleBetween(X_BE, last_goal) < settings.dead_band_rad;
+  }
+
+  /// Where inverse kinematics starts. From the last goal, so that the same question gets the same answer;
+  /// drawn a little towards the posture in which following began, because the redundant joint of a closed
+  /// movement would wander off otherwise.
+  [[nodiscard]] Joints seed(const MotionState& commanded, bool followed) {
+    if (!in_force.valid()) posture = commanded.q_rad;
+    const Joints near = followed ? in_force.goal() : commanded.q_rad;
+    return near + kPosturePull * (posture - near);
   }
 
   FollowStep towards(const RigidTransform& X_BE, const MotionState& commanded, const Joints& seed,
@@ -117,6 +137,7 @@ struct Follower::Body {
   FollowerSettings settings;
   robot::Kinematics kinematics;
   robot::Planner planner;
+  Joints posture;  // in which following began
   Trajectory in_force;
   RigidTransform last_goal = RigidTransform::Identity();  // good while `in_force` is valid
 };
@@ -130,9 +151,7 @@ Follower::~Follower() = default;
 FollowStep Follower::step(const RigidTransform& X_BE_goal, const MotionState& commanded, TimePoint now) {
   const bool followed = body_->isFollowed(commanded, now);
   if (followed && body_->isInDeadBand(X_BE_goal)) return {FollowOutcome::kHeld, {}};
-  // Seeded with the last goal the redundant joint does not wander while the same goal is asked again.
-  FollowStep step =
-      body_->towards(X_BE_goal, commanded, followed ? body_->in_force.goal() : commanded.q_rad, now);
+  FollowStep step = body_->towards(X_BE_goal, commanded, body_->seed(commanded, followed), now);
   if (step.isNew()) {
     body_->in_force = step.trajectory;
     body_->last_goal = X_BE_goal;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/control/follower.h"
@@ -110,6 +112,23 @@ TEST(Follower, GoalInsideAWallIsBlocked) {
   Bench bench(wall);
   const FollowStep step = bench.follower.step(bench.slingAt(to), restAt(robot::testing::working()), after(0));
   EXPECT_EQ(step.outcome, FollowOutcome::kBlocked);
+}
+
+TEST(Follower, ClosedMovementBringsTheJointsBack) {
+  Bench bench;
+  const Joints start = robot::testing::working();
+  const RigidTransform X_start = bench.slingAt(start);
+  robot::Trajectory trajectory = robot::Trajectory::rest(start, after(0));
+  constexpr double round_s = 12.0;
+  for (double t = 0.0; t < 10.0 * round_s + 2.0; t += kStep_s) {
+    const double phase = 2.0 * M_PI * std::min(t / round_s, 10.0);
+    RigidTransform X_BE = X_start * Eigen::AngleAxisd(0.2 * std::sin(phase), Eigen::Vector3d::UnitX());
+    X_BE.pretranslate(Eigen::Vector3d(0.03 * std::sin(phase), 0.1 * (1.0 - std::cos(phase)), 0.0));
+    const FollowStep step = bench.follower.step(X_BE, trajectory.at(after(t)), after(t));
+    if (step.isNew()) trajectory = step.trajectory;
+  }
+  EXPECT_LT((trajectory.goal() - start).cwiseAbs().maxCoeff(),
+            0.1);  // 0.3 without the pull to the first posture
 }
 
 TEST(Follower, FollowsASwingingGoalSmoothlyAndArrives) {
