@@ -16,9 +16,8 @@ constexpr double kCheckEvery_rad = 0.02;      // of the finished motion, for col
 constexpr int kToolSamples = 24;
 constexpr int kToolRounds = 4;
 constexpr double kToolSlack = 1.001;
-constexpr double kPosturePull =
-    0.02;                         // of the way back to the first posture, each step: 2 s at 25 steps a second
-constexpr double kInside = 0.99;  // motions are planned this far inside what the motion guard enforces
+constexpr double kPosturePull = 0.02;  // of the way to the first posture, each step
+constexpr double kInside = 0.99;  // share of the limits that is planned with; the guard enforces the rest
 
 double largest(const Joints& q) { return q.cwiseAbs().maxCoeff(); }
 
