@@ -1,0 +1,215 @@
+#include "core/station/control_stage.h"
+
+#include "core/common/log.h"
+
+namespace mirrorarm::station {
+
+using therapy::Action;
+using therapy::Phase;
+using tracking::TrackStatus;
+
+ControlStage::ControlStage(const Equipment& equipment, const StationSettings& settings,
+                           const robot::MotionLimits& limits, control::ServoLoop& servo, TrackingStage& tracking,
+                           RecorderStage& recorder)
+    : X_FC_(equipment.X_FC),
+      X_FE_(equipment.X_FE),
+      midplane_normal_B_(settings.midplane_normal_B),
+      fresh_for_(settings.supervisor.hold_after),
+      follow_period_(settings.follower.period),
+      servo_(servo),
+      tracking_(tracking),
+      recorder_(recorder),
+      follower_(equipment.arm, equipment.X_FE, limits,
+                robot::Planner(equipment.arm, equipment.attached, {}, settings.planner), settings.follower),
+      digest_(equipment.arm) {}
+
+void ControlStage::report(const FrameReport& report) noexcept {
+  if (!reports_.push(report)) lost_reports_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void ControlStage::step(TimePoint now) {
+  now_ = now;
+  drainServo();
+  noteStop();
+  takeReports();
+  obeyCommands();
+  follow();
+  tellServo();
+  publish();
+}
+
+void ControlStage::drainServo() {
+  while (const auto cycle = servo_.takeState()) digest_.add(*cycle);
+  if (const auto* newest = digest_.newest()) state_.servo = *newest;
+}
+
+void ControlStage::noteStop() {
+  const auto reason = state_.servo.stop;
+  if (reason == noted_stop_) return;
+  noted_stop_ = reason;
+  if (reason == control::StopReason::kNone) return recordEvent("stop_reset");
+  const std::string event = "stop." + std::string(id(reason));
+  log(LogLevel::kWarning, event);
+  recordEvent(event);
+  recorder_.add(RecorderStage::BlackBox{digest_.blackBox(), reason});
+  if (state_.phase == Phase::kTraining) pause();
+}
+
+void ControlStage::takeReports() {
+  while (const auto report = reports_.pop()) takeReport(*report);
+  state_.target_fresh = isFresh(target_, now_, fresh_for_);
+}
+
+void ControlStage::takeReport(const FrameReport& report) {
+  seen_.last_frame = report.exposed_at;
+  target_ = report.target;
+  state_.taught_markers = report.taught_markers;
+  if (report.teachings != teachings_) endTeaching(report);
+  const auto X_BF = digest_.flangeAt(report.exposed_at);
+  if (!X_BF) {
+    // Without the flange's pose at the exposure the target's place in the base is unknown.
+    target_.status = TrackStatus::kLost;
+    return;
+  }
+  state_.X_BF = *X_BF;
+  if (report.target.status != TrackStatus::kLost) {
+    state_.X_BT = *X_BF * X_FC_ * report.target.X_CT;
+    X_BE_at_target_ = *X_BF * X_FE_;
+    if (report.target.status == TrackStatus::kTracked) seen_.last_target = report.exposed_at;
+    if (state_.has_goal) state_.X_BE_goal = goalOf(alignment_, mapping_, state_.X_BT);
+  }
+  if (session_start_ && report.has_target && state_.phase != Phase::kFinished) sample(report, *X_BF);
+}
+
+void ControlStage::endTeaching(const FrameReport& report) {
+  teachings_ = report.teachings;
+  if (state_.phase != Phase::kTeaching) return;
+  state_.phase = report.teaching_error ? Phase::kPrepare : Phase::kTaught;
+  answer(report.teaching_error ? Answer::kTooFewMarkers : Answer::kAccepted);
+}
+
+void ControlStage::sample(const FrameReport& report, const RigidTransform& X_BF) {
+  const auto peaks = digest_.takePeaks();
+  therapy::Sample sample;
+  sample.time_s = sessionTime(report.exposed_at);
+  sample.training = state_.phase == Phase::kTraining;
+  sample.status = report.target.status;
+  sample.matched = report.target.matched_count;
+  sample.rms_m = report.target.rms_m;
+  sample.X_CT = report.target.X_CT;
+  sample.X_BT = state_.X_BT;
+  sample.X_BE = X_BF * X_FE_;
+  sample.X_BE_goal = state_.X_BE_goal;
+  sample.q_rad = digest_.jointsAt(report.exposed_at);
+  sample.v_rad_s = peaks.v_rad_s;
+  sample.a_rad_s2 = peaks.a_rad_s2;
+  recorder_.add(sample);
+}
+
+void ControlStage::obeyCommands() {
+  while (const auto command = commands_.pop()) {
+    const auto given = obey(*command);
+    // A lesson's answer comes when it has ended.
+    if (command->action != Action::kFinishTeaching || given != Answer::kAccepted) answer(given);
+  }
+}
+
+Answer ControlStage::obey(const Command& command) {
+  const auto next = therapy::after(state_.phase, command.action);
+  if (!next) return Answer::kNotNow;
+  switch (command.action) {
+    case Action::kTeach:
+      if (!tracking_.order(TrackingStage::Order::kBeginLesson)) return Answer::kQueueFull;
+      break;
+    case Action::kFinishTeaching:
+      return tracking_.order(TrackingStage::Order::kEndLesson) ? Answer::kAccepted : Answer::kQueueFull;
+    case Action::kAlign:
+      if (const auto aligned = align(command.mapping); aligned != Answer::kAccepted) return aligned;
+      break;
+    case Action::kStart:
+      if (const auto started = start(); started != Answer::kAccepted) return started;
+      break;
+    case Action::kPause:
+      pause();
+      break;
+    case Action::kFinish:
+      if (state_.phase == Phase::kTraining) pause();
+      recordEvent("finished");
+      recorder_.finish("finished");
+      break;
+    case Action::kNewSession:
+      if (!tracking_.order(TrackingStage::Order::kForget)) return Answer::kQueueFull;
+      session_start_.reset();
+      state_.has_goal = false;
+      break;
+  }
+  state_.phase = *next;
+  return Answer::kAccepted;
+}
+
+Answer ControlStage::align(therapy::Mapping mapping) {
+  if (!state_.target_fresh || !X_BE_at_target_) return Answer::kTargetUnseen;
+  if (session_start_ && mapping != mapping_) return Answer::kNotNow;  // the record names one mapping
+  mapping_ = mapping;
+  alignment_ = {state_.X_BT, *X_BE_at_target_, midplane_normal_B_};
+  state_.X_BE_goal = alignment_.X_BE;
+  state_.has_goal = true;
+  recordEvent("aligned");
+  return Answer::kAccepted;
+}
+
+Answer ControlStage::start() {
+  if (stopLatched()) return Answer::kStopLatched;
+  if (!state_.target_fresh) return Answer::kTargetUnseen;
+  if (!session_start_) {
+    session_start_ = now_;
+    recorder_.begin(mapping_);
+    static_cast<void>(digest_.takePeaks());  // what was before does not belong to the session
+  }
+  recordEvent("started");
+  follower_.reset();
+  next_follow_ = now_;
+  return Answer::kAccepted;
+}
+
+void ControlStage::pause() {
+  state_.phase = Phase::kPaused;
+  recordEvent("paused");
+}
+
+void ControlStage::answer(Answer given) {
+  state_.last_answer = given;
+  ++state_.answers;
+}
+
+void ControlStage::follow() {
+  if (state_.phase != Phase::kTraining || stopLatched() || !state_.target_fresh || now_ < next_follow_) return;
+  next_follow_ = now_ + toClock(follow_period_);
+  const auto step = follower_.step(state_.X_BE_goal, state_.servo.commanded, state_.servo.time);
+  state_.follow = step.outcome;
+  if (!step.isNew()) return;
+  state_.trajectory = step.trajectory;
+  servo_.setTrajectory(step.trajectory);
+}
+
+void ControlStage::tellServo() {
+  seen_.following = state_.phase == Phase::kTraining;
+  servo_.setTracking(seen_);
+}
+
+void ControlStage::publish() {
+  state_.time = now_;
+  state_.session_s = session_start_ ? sessionTime(now_) : 0.0;
+  state_.lost_reports = lost_reports_.load(std::memory_order_relaxed);
+  for_screen.put(state_);
+}
+
+bool ControlStage::stopLatched() const { return state_.servo.stop != control::StopReason::kNone; }
+
+double ControlStage::sessionTime(TimePoint time) const { return secondsBetween(*session_start_, time); }
+
+void ControlStage::recordEvent(std::string_view event) {
+  if (session_start_) recorder_.addEvent(sessionTime(now_), event);
+}
+
+}  // namespace mirrorarm::station

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+
+#include "core/common/bounded_queue.h"
+#include "core/common/latest_value.h"
+#include "core/control/follower.h"
+#include "core/control/servo_loop.h"
+#include "core/station/equipment.h"
+#include "core/station/frame_report.h"
+#include "core/station/recorder_stage.h"
+#include "core/station/servo_digest.h"
+#include "core/station/snapshot.h"
+#include "core/station/station_settings.h"
+#include "core/station/tracking_stage.h"
+#include "core/therapy/movement_mapping.h"
+
+namespace mirrorarm::station {
+
+/// The session's mind: takes commands and frame reports, keeps the phase, turns target poses into goals and goals
+/// into trajectories, samples for the record. step() belongs to the control thread.
+class ControlStage {
+ public:
+  ControlStage(const Equipment& equipment, const StationSettings& settings, const robot::MotionLimits& limits,
+               control::ServoLoop& servo, TrackingStage& tracking, RecorderStage& recorder);
+
+  /// Any thread.
+  [[nodiscard]] Answer request(const Command& command) noexcept {
+    return commands_.push(command) ? Answer::kAccepted : Answer::kQueueFull;
+  }
+  /// Tracking thread.
+  void report(const FrameReport& report) noexcept;
+
+  /// A few times a camera frame; new trajectories start at the follower's own, slower beat.
+  void step(TimePoint now);
+
+  LatestValue<ControlState> for_screen;  ///< taken by the screen's thread only
+
+ private:
+  void drainServo();
+  void noteStop();
+  void takeReports();
+  void takeReport(const FrameReport& report);
+  void endTeaching(const FrameReport& report);
+  void sample(const FrameReport& report, const RigidTransform& X_BF);
+  void obeyCommands();
+  [[nodiscard]] Answer obey(const Command& command);
+  [[nodiscard]] Answer align(therapy::Mapping mapping);
+  [[nodiscard]] Answer start();
+  void pause();
+  void answer(Answer given);
+  void follow();
+  void tellServo();
+  void publish();
+  [[nodiscard]] bool stopLatched() const;
+  [[nodiscard]] double sessionTime(TimePoint time) const;
+  void recordEvent(std::string_view event);
+
+  const RigidTransform X_FC_;
+  const RigidTransform X_FE_;
+  const Eigen::Vector3d midplane_normal_B_;
+  const Seconds fresh_for_;
+  const Seconds follow_period_;
+  control::ServoLoop& servo_;
+  TrackingStage& tracking_;
+  RecorderStage& recorder_;
+  control::Follower follower_;
+  ServoDigest digest_;
+  BoundedQueue<Command, 16> commands_;
+  BoundedQueue<FrameReport, 64> reports_;
+  std::atomic<std::uint64_t> lost_reports_{0};
+
+  // Control thread only.
+  TimePoint now_{};
+  ControlState state_;
+  therapy::Alignment alignment_;
+  therapy::Mapping mapping_ = therapy::Mapping::kFollow;
+  tracking::TrackedTarget target_;
+  control::ServoLoop::Tracking seen_;
+  std::optional<RigidTransform> X_BE_at_target_;  ///< end effector when the target was last seen
+  std::optional<TimePoint> session_start_;
+  TimePoint next_follow_{};
+  control::StopReason noted_stop_ = control::StopReason::kNone;
+  int teachings_ = 0;
+};
+
+}  // namespace mirrorarm::station

@@ -1,0 +1,48 @@
+#include "core/station/servo_digest.h"
+
+namespace mirrorarm::station {
+namespace {
+
+/// Encoder readings come every few milliseconds; a moment just past the newest is still answered.
+constexpr Seconds kEndTolerance{0.010};
+
+}  // namespace
+
+ServoDigest::ServoDigest(const robot::ArmDescription& arm)
+    : kinematics_(arm), cycles_(std::make_unique<RingLog<control::ServoState, kCycles>>()) {
+  peaks_ = {robot::Joints::Zero(arm.jointCount()), robot::Joints::Zero(arm.jointCount())};
+}
+
+void ServoDigest::add(const control::ServoState& state) {
+  newest_ = state;
+  cycles_->add(state);
+  if (state.measured.q_rad.size() == kinematics_.jointCount())
+    flange_.add(state.measured.measured_at, kinematics_.flange(state.measured.q_rad));
+  if (state.commanded.v_rad_s.size() != peaks_.v_rad_s.size()) return;
+  peaks_.v_rad_s = peaks_.v_rad_s.cwiseMax(state.commanded.v_rad_s.cwiseAbs());
+  peaks_.a_rad_s2 = peaks_.a_rad_s2.cwiseMax(state.commanded.a_rad_s2.cwiseAbs());
+}
+
+std::optional<RigidTransform> ServoDigest::flangeAt(TimePoint time) const { return flange_.at(time, kEndTolerance); }
+
+robot::Joints ServoDigest::jointsAt(TimePoint time) const {
+  std::size_t i = cycles_->size();
+  while (i > 1 && (*cycles_)[i - 1].measured.measured_at > time) --i;
+  return i == 0 ? robot::Joints() : (*cycles_)[i - 1].measured.q_rad;
+}
+
+ServoDigest::Peaks ServoDigest::takePeaks() {
+  const Peaks taken = peaks_;
+  peaks_.v_rad_s.setZero();
+  peaks_.a_rad_s2.setZero();
+  return taken;
+}
+
+std::shared_ptr<const std::vector<control::ServoState>> ServoDigest::blackBox() const {
+  auto states = std::make_shared<std::vector<control::ServoState>>();
+  states->reserve(cycles_->size());
+  for (std::size_t i = 0; i < cycles_->size(); ++i) states->push_back((*cycles_)[i]);
+  return states;
+}
+
+}  // namespace mirrorarm::station

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "core/common/time.h"
+#include "core/station/station_port.h"
+
+namespace mirrorarm::station {
+
+struct ScriptSettings {
+  Seconds teaching{2.0};
+  Seconds training{30.0};
+  therapy::Mapping mapping = therapy::Mapping::kFollow;
+  int max_restarts = 10;  ///< after stops that nobody pressed
+};
+
+/// An operator who works through a whole session by himself: teach, align, start, finish. A stop that nobody
+/// pressed is reset and the training goes on, as a therapist would do; each is counted.
+class SessionScript {
+ public:
+  enum class Progress { kRunning, kDone, kFailed };
+
+  /// `instruct` tells the patient to move (true) or to rest. Both outlive the script.
+  SessionScript(StationPort& station, const ScriptSettings& settings, std::function<void(bool)> instruct);
+
+  /// Looks once and acts; call it some ten times a second until it is done.
+  Progress step(TimePoint now);
+
+  /// Why it failed, an id of the kind "teach.too_few_markers"; empty otherwise.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+  /// Stops that were reset on the way.
+  [[nodiscard]] int stops() const { return stops_; }
+  /// When the training began, for times in the record.
+  [[nodiscard]] TimePoint startedAt() const { return started_at_; }
+  /// The last snapshot that was looked at.
+  [[nodiscard]] const Snapshot& seen() const { return seen_; }
+
+ private:
+  enum class Stage { kWait, kTeach, kEndTeaching, kRest, kAlign, kStart, kTrain, kRestart, kFinish, kDone };
+  Progress train(TimePoint now);
+  Progress fail(std::string why);
+  void go(Stage stage, TimePoint now);
+  void ask(therapy::Action action);
+  [[nodiscard]] bool answered() const { return seen_.control.answers != answers_before_; }
+  [[nodiscard]] bool accepted() const { return seen_.control.last_answer == Answer::kAccepted; }
+  Progress afterAnswer(Stage next, TimePoint now);
+
+  StationPort& station_;
+  const ScriptSettings settings_;
+  const std::function<void(bool)> instruct_;
+  Snapshot seen_;
+  Stage stage_ = Stage::kWait;
+  TimePoint stage_since_{};
+  TimePoint train_until_{};
+  TimePoint started_at_{};
+  std::uint32_t answers_before_ = 0;
+  int stops_ = 0;
+  std::string failure_;
+};
+
+}  // namespace mirrorarm::station

@@ -1,0 +1,30 @@
+#include "core/station/stages.h"
+
+#include <stdexcept>
+
+namespace mirrorarm::station {
+namespace {
+
+robot::MotionLimits limitsFor(const StationSettings& settings, const robot::ArmDescription& arm) {
+  const auto limits = robot::limitsOf(settings.limits_profile, arm);
+  if (!limits) throw std::runtime_error("no limits profile is called '" + settings.limits_profile + "'");
+  return *limits;
+}
+
+}  // namespace
+
+Stages::Stages(const Equipment& equipment, const StationSettings& settings)
+    : limits(limitsFor(settings, equipment.arm)),
+      servo(equipment.arm, limits, *equipment.robot, settings.supervisor),
+      tracking(equipment.rig, settings),
+      recorder(settings, limits, equipment.simulated),
+      control(equipment, settings, limits, servo, tracking, recorder) {}
+
+const Snapshot& Stages::snapshot() {
+  if (const auto* frame = tracking.for_screen.take()) snapshot_.frame = *frame;
+  if (const auto* state = control.for_screen.take()) snapshot_.control = *state;
+  if (const auto* record = recorder.for_screen.take()) snapshot_.record = *record;
+  return snapshot_;
+}
+
+}  // namespace mirrorarm::station

@@ -1,0 +1,107 @@
+#include "core/station/station.h"
+
+#include <thread>
+
+#include "core/common/log.h"
+#include "core/common/signal.h"
+#include "core/station/stages.h"
+
+namespace mirrorarm::station {
+namespace {
+
+/// Long enough to idle quietly, short enough that the program ends at once.
+constexpr Seconds kPatience{0.1};
+
+/// Calls `step` at an even beat until asked to stop; a beat that was missed is skipped, not made up for.
+template <class Step>
+void atEvenBeat(const std::stop_token& stop, Seconds period, Step step) {
+  auto due = Clock::now();
+  while (!stop.stop_requested()) {
+    step(Clock::now());
+    due = std::max(due + toClock(period), Clock::now());
+    std::this_thread::sleep_until(due);
+  }
+}
+
+}  // namespace
+
+struct Station::Body {
+  Body(const Equipment& given, const StationSettings& settings)
+      : equipment(given),
+        stages(equipment, settings),
+        recorder([this](const std::stop_token& stop) { record(stop); }),
+        servo([this](const std::stop_token& stop) { serve(stop); }),
+        control([this](const std::stop_token& stop) { decide(stop); }),
+        tracking([this](const std::stop_token& stop) { track(stop); }),
+        acquisition([this](const std::stop_token& stop) { acquire(stop); }) {}
+
+  void acquire(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      const auto frame = equipment.cameras->next(kPatience);
+      if (frame) {
+        static_cast<void>(frames.put(*frame));  // the gap in the sequence tells of a frame that was overwritten
+        frame_came.notify();
+      } else if (frame.error() != camera::NoFrame::kTimeout) {
+        return;  // the supervisor notices that no frame comes any more
+      }
+    }
+  }
+
+  void track(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      frame_came.waitFor(kPatience);
+      if (const auto* frame = frames.take()) guarded([&] { stages.control.report(stages.tracking.process(*frame)); });
+    }
+  }
+
+  void decide(const std::stop_token& stop) {
+    atEvenBeat(stop, kControlPeriod, [this](TimePoint now) { guarded([&] { stages.control.step(now); }); });
+  }
+
+  void serve(const std::stop_token& stop) {
+    atEvenBeat(stop, equipment.robot->period(), [this](TimePoint now) { stages.servo.step(now); });
+    equipment.robot->halt();
+  }
+
+  void record(const std::stop_token& stop) {
+    atEvenBeat(stop, kRecorderPeriod, [this](TimePoint) { guarded([&] { stages.recorder.step(); }); });
+    stages.recorder.step();
+  }
+
+  /// Any way out of a stage stops the robot.
+  template <class Work>
+  void guarded(Work work) {
+    try {
+      work();
+    } catch (const std::exception& failure) {
+      stages.servo.stop(control::StopReason::kInternal);
+      log(LogLevel::kError, std::string("station: ") + failure.what());
+    }
+  }
+
+  const Equipment equipment;
+  Stages stages;
+  LatestValue<camera::StereoFrame> frames;
+  Signal frame_came;
+  // Last members, joined from the last to the first: the cameras end before the robot, the record at the very end.
+  std::jthread recorder;
+  std::jthread servo;
+  std::jthread control;
+  std::jthread tracking;
+  std::jthread acquisition;
+};
+
+Station::Station(const Equipment& equipment, const StationSettings& settings)
+    : body_(std::make_unique<Body>(equipment, settings)) {}
+
+Station::~Station() = default;
+
+Answer Station::request(const Command& command) { return body_->stages.control.request(command); }
+
+void Station::stop(control::StopReason reason) noexcept { body_->stages.servo.stop(reason); }
+
+void Station::resetStop() noexcept { body_->stages.servo.resetStop(); }
+
+Snapshot Station::snapshot() { return body_->stages.snapshot(); }
+
+}  // namespace mirrorarm::station

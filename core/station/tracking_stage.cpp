@@ -1,0 +1,123 @@
+#include "core/station/tracking_stage.h"
+
+#include "core/common/log.h"
+#include "core/tracking/reteach.h"
+
+namespace mirrorarm::station {
+namespace {
+
+constexpr std::string_view kTargetName = "forearm";
+/// Around a tracked marker's predicted place: more than an arm moves between two frames.
+constexpr double kLookAheadRadius_m = 0.04;
+
+double millisecondsSince(TimePoint start) { return 1e3 * secondsBetween(start, Clock::now()); }
+
+}  // namespace
+
+TrackingStage::TrackingStage(const camera::StereoRig& rig, const StationSettings& settings)
+    : teacher_settings_(settings.teacher),
+      tracker_settings_(settings.tracker),
+      vision_(rig, settings.finder, settings.matcher),
+      tracker_(settings.tracker) {
+  cloud_C_.reserve(tracking::kMaxMarkers);
+}
+
+FrameReport TrackingStage::process(const camera::StereoFrame& frame) {
+  if (last_sequence_ && frame.sequence > *last_sequence_ + 1) lost_frames_ += frame.sequence - *last_sequence_ - 1;
+  last_sequence_ = frame.sequence;
+  obeyOrders();
+
+  auto seen = std::make_shared<TrackedFrame>();
+  seen->frame = frame;
+  seen->lost_frames = lost_frames_;
+  const auto vision_start = Clock::now();
+  seen->observation = vision_.observe(frame);
+  seen->vision_ms = millisecondsSince(vision_start);
+
+  const auto tracking_start = Clock::now();
+  if (lesson_) learn(*seen);
+  if (target_) track(*seen);
+  seen->tracking_ms = millisecondsSince(tracking_start);
+  seen->target = target_;
+  seen->reteachings = reteachings_;
+  lookAhead(*seen);
+
+  const auto report = reportOf(*seen);
+  for_screen.put(std::move(seen));
+  return report;
+}
+
+void TrackingStage::obeyOrders() {
+  while (const auto order = orders_.pop()) {
+    switch (*order) {
+      case Order::kBeginLesson: lesson_.emplace(teacher_settings_); break;
+      case Order::kEndLesson: endLesson(); break;
+      case Order::kForget:
+        lesson_.reset();
+        target_.reset();
+        reteachings_ = 0;
+        break;
+    }
+  }
+}
+
+void TrackingStage::endLesson() {
+  if (!lesson_) return;
+  const auto taught = lesson_->finish(kTargetName);
+  lesson_.reset();
+  ++teachings_;
+  teaching_error_.reset();
+  if (!taught) {
+    teaching_error_ = taught.error();
+    return;
+  }
+  target_ = std::make_shared<const tracking::Target>(taught->target);
+  tracker_.setTargets({target_.get(), 1});
+  reteachings_ = 0;
+}
+
+void TrackingStage::learn(const TrackedFrame& seen) {
+  cloud_C_.clear();
+  for (const auto& point : seen.observation.points) cloud_C_.push_back(point.p_C);
+  lesson_->add(cloud_C_);
+}
+
+void TrackingStage::track(TrackedFrame& seen) {
+  const auto tracked = tracker_.track(seen.observation.points, seen.frame.exposed_at);
+  seen.targets.assign(tracked.begin(), tracked.end());
+  if (tracked.front().status == tracking::TrackStatus::kTracked) last_tracked_ = tracked.front();
+  if (tracker_.needsReteaching(0)) reteach(seen);
+}
+
+void TrackingStage::reteach(const TrackedFrame& seen) {
+  cloud_C_.clear();
+  for (const auto& point : seen.observation.points) cloud_C_.push_back(point.p_C);
+  const auto adapted = tracking::reteach(*target_, cloud_C_, last_tracked_.X_CT, tracker_settings_);
+  if (!adapted) return;
+  target_ = std::make_shared<const tracking::Target>(*adapted);
+  tracker_.replaceTarget(0, *target_);
+  ++reteachings_;
+  log(LogLevel::kWarning, "tracking: the markers have moved against each other; the model was taught anew");
+}
+
+// Search only where the taught markers are expected, hidden ones too; a lost target may be anywhere.
+void TrackingStage::lookAhead(const TrackedFrame& seen) {
+  cloud_C_.clear();
+  if (!lesson_ && !seen.targets.empty() && seen.targets.front().status == tracking::TrackStatus::kTracked)
+    for (const auto& marker_T : target_->markers_T) cloud_C_.push_back(seen.targets.front().X_CT * marker_T);
+  vision_.expect(cloud_C_, kLookAheadRadius_m);
+}
+
+FrameReport TrackingStage::reportOf(const TrackedFrame& seen) const {
+  FrameReport report;
+  report.exposed_at = seen.frame.exposed_at;
+  report.sequence = seen.frame.sequence;
+  report.has_target = target_ != nullptr;
+  if (!seen.targets.empty()) report.target = seen.targets.front();
+  report.taught_markers = lesson_ ? lesson_->markers() : 0;
+  report.teachings = teachings_;
+  report.teaching_error = teaching_error_;
+  return report;
+}
+
+}  // namespace mirrorarm::station
