@@ -8,11 +8,8 @@ using therapy::Action;
 
 namespace {
 
-constexpr Seconds kStepTimeout{10.0};   ///< for everything that is not teaching or training
-constexpr Seconds kPatientSettles{1.0};  ///< until an arm that was told to rest does rest
-constexpr Seconds kThinkBeforeRestart{1.0};
-
-std::string_view nameOf(Action action) { return id(action); }
+constexpr Seconds kStepTimeout{10.0};    // for everything that is not teaching or training
+constexpr Seconds kPatientSettles{1.0};  // until an arm that was told to rest does rest
 
 }  // namespace
 
@@ -22,71 +19,84 @@ SessionScript::SessionScript(StationPort& station, const ScriptSettings& setting
 
 SessionScript::Progress SessionScript::step(TimePoint now) {
   seen_ = station_.snapshot();
+  now_ = now;
   if (stage_since_ == TimePoint{}) stage_since_ = now;
-  const Seconds waited = now - stage_since_;
-  if (stage_ != Stage::kTrain && stage_ != Stage::kTeach && stage_ != Stage::kDone && waited > kStepTimeout)
-    return fail("timeout in phase " + std::string(id(seen_.control.phase)));
   switch (stage_) {
-    case Stage::kWait:
-      if (!seen_.frame || !seen_.frame->observation.points.size()) break;
-      ask(Action::kTeach);
-      instruct_(true);
-      go(Stage::kTeach, now);
-      break;
-    case Stage::kTeach:
-      if (waited < settings_.teaching) break;
-      instruct_(false);
-      ask(Action::kFinishTeaching);
-      go(Stage::kEndTeaching, now);
-      break;
-    case Stage::kEndTeaching: return afterAnswer(Stage::kRest, now);
-    case Stage::kRest:
-      if (waited < kPatientSettles || !seen_.control.target_fresh) break;
-      ask(Action::kAlign);
-      go(Stage::kAlign, now);
-      break;
-    case Stage::kAlign:
-      if (const auto progress = afterAnswer(Stage::kStart, now); stage_ != Stage::kStart) return progress;
-      ask(Action::kStart);
-      started_at_ = now;
-      train_until_ = now + toClock(settings_.training);
-      break;
-    case Stage::kStart: return afterAnswer(Stage::kTrain, now);
-    case Stage::kTrain: return train(now);
-    case Stage::kRestart:
-      if (waited < kThinkBeforeRestart || !seen_.control.target_fresh || !seen_.control.servo.at_rest) break;
-      ask(Action::kStart);
-      go(Stage::kStart, now);
-      break;
-    case Stage::kFinish:
-      if (seen_.record.recording != Recording::kWriting) go(Stage::kDone, now);
-      break;
-    case Stage::kDone: return Progress::kDone;
+    case Stage::kWait: return waitForMarkers();
+    case Stage::kTeach: return teach();
+    case Stage::kEndTeaching: return afterAnswer(Stage::kRest);
+    case Stage::kRest: return settle(Action::kAlign, Stage::kAlign);
+    case Stage::kAlign: return start();
+    case Stage::kStart: return afterAnswer(Stage::kTrain);
+    case Stage::kTrain: return train();
+    case Stage::kRestart: return settle(Action::kStart, Stage::kStart);
+    case Stage::kFinish: return waitForRecord();
+    case Stage::kDone: return failure_.empty() ? Progress::kDone : Progress::kFailed;
   }
-  return Progress::kRunning;
+  return Progress::kFailed;
 }
 
-SessionScript::Progress SessionScript::train(TimePoint now) {
+SessionScript::Progress SessionScript::waitForMarkers() {
+  if (!seen_.frame || seen_.frame->observation.points.empty()) return patience();
   instruct_(true);
-  const bool over = now >= train_until_;
-  if (!over && seen_.control.servo.stop == control::StopReason::kNone) return Progress::kRunning;
+  return ask(Action::kTeach, Stage::kTeach);
+}
+
+SessionScript::Progress SessionScript::teach() {
+  if (waited() < settings_.teaching) return Progress::kRunning;
   instruct_(false);
-  if (over) {
-    ask(Action::kFinish);
-    go(Stage::kFinish, now);
-    return Progress::kRunning;
-  }
-  if (++stops_ > settings_.max_restarts) return fail("stop." + std::string(id(seen_.control.servo.stop)));
+  return ask(Action::kFinishTeaching, Stage::kEndTeaching);
+}
+
+// Aligned and started at rest: the patient sits still and the robot stands.
+SessionScript::Progress SessionScript::settle(Action action, Stage next) {
+  if (waited() < kPatientSettles || !seen_.control.target_fresh || !seen_.control.servo.at_rest) return patience();
+  return ask(action, next);
+}
+
+SessionScript::Progress SessionScript::start() {
+  const auto progress = afterAnswer(Stage::kStart);
+  if (stage_ != Stage::kStart) return progress;
+  train_until_ = now_ + toClock(settings_.training);
+  return ask(Action::kStart, Stage::kStart);
+}
+
+SessionScript::Progress SessionScript::train() {
+  const bool over = now_ >= train_until_;
+  const auto stop = seen_.control.servo.stop;
+  instruct_(!over && stop == control::StopReason::kNone);
+  if (over) return ask(Action::kFinish, Stage::kFinish);
+  if (stop == control::StopReason::kNone) return Progress::kRunning;
+  if (++stops_ > settings_.max_restarts) return fail("stop." + std::string(id(stop)));
   station_.resetStop();
-  go(Stage::kRestart, now);
+  go(Stage::kRestart);
   return Progress::kRunning;
 }
 
-SessionScript::Progress SessionScript::afterAnswer(Stage next, TimePoint now) {
-  if (!answered()) return Progress::kRunning;
-  if (!accepted()) return fail(std::string(id(seen_.control.last_answer)));
-  go(next, now);
+SessionScript::Progress SessionScript::waitForRecord() {
+  if (!answered() || seen_.record.recording == Recording::kWriting) return patience();
+  go(Stage::kDone);
+  return Progress::kDone;
+}
+
+SessionScript::Progress SessionScript::afterAnswer(Stage next) {
+  if (!answered()) return patience();
+  if (seen_.control.last_answer != Answer::kAccepted) return fail(std::string(id(seen_.control.last_answer)));
+  go(next);
   return Progress::kRunning;
+}
+
+SessionScript::Progress SessionScript::ask(Action action, Stage next) {
+  answers_before_ = seen_.control.answers;
+  const auto answer = station_.request({action, settings_.mapping});
+  if (answer != Answer::kAccepted) return fail(std::string(id(answer)));
+  go(next);
+  return Progress::kRunning;
+}
+
+SessionScript::Progress SessionScript::patience() {
+  if (waited() < kStepTimeout) return Progress::kRunning;
+  return fail("nothing came in phase " + std::string(id(seen_.control.phase)));
 }
 
 SessionScript::Progress SessionScript::fail(std::string why) {
@@ -96,15 +106,9 @@ SessionScript::Progress SessionScript::fail(std::string why) {
   return Progress::kFailed;
 }
 
-void SessionScript::go(Stage stage, TimePoint now) {
+void SessionScript::go(Stage stage) {
   stage_ = stage;
-  stage_since_ = now;
-}
-
-void SessionScript::ask(Action action) {
-  answers_before_ = seen_.control.answers;
-  if (station_.request({action, settings_.mapping}) != Answer::kAccepted)
-    failure_ = std::string(nameOf(action)) + ".queue_full";
+  stage_since_ = now_;
 }
 
 }  // namespace mirrorarm::station

@@ -32,29 +32,33 @@ class SessionScript {
   [[nodiscard]] const std::string& failure() const { return failure_; }
   /// Stops that were reset on the way.
   [[nodiscard]] int stops() const { return stops_; }
-  /// When the training began, for times in the record.
-  [[nodiscard]] TimePoint startedAt() const { return started_at_; }
   /// The last snapshot that was looked at.
   [[nodiscard]] const Snapshot& seen() const { return seen_; }
 
  private:
   enum class Stage { kWait, kTeach, kEndTeaching, kRest, kAlign, kStart, kTrain, kRestart, kFinish, kDone };
-  Progress train(TimePoint now);
+  Progress waitForMarkers();
+  Progress teach();
+  Progress settle(therapy::Action action, Stage next);
+  Progress start();
+  Progress train();
+  Progress waitForRecord();
+  Progress afterAnswer(Stage next);
+  Progress ask(therapy::Action action, Stage next);
+  Progress patience();
   Progress fail(std::string why);
-  void go(Stage stage, TimePoint now);
-  void ask(therapy::Action action);
+  void go(Stage stage);
+  [[nodiscard]] Seconds waited() const { return now_ - stage_since_; }
   [[nodiscard]] bool answered() const { return seen_.control.answers != answers_before_; }
-  [[nodiscard]] bool accepted() const { return seen_.control.last_answer == Answer::kAccepted; }
-  Progress afterAnswer(Stage next, TimePoint now);
 
   StationPort& station_;
   const ScriptSettings settings_;
   const std::function<void(bool)> instruct_;
   Snapshot seen_;
   Stage stage_ = Stage::kWait;
+  TimePoint now_{};
   TimePoint stage_since_{};
   TimePoint train_until_{};
-  TimePoint started_at_{};
   std::uint32_t answers_before_ = 0;
   int stops_ = 0;
   std::string failure_;

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "core/station/bench_equipment.h"
+#include "core/station/lockstep_station.h"
+#include "core/station/session_script.h"
+
+namespace mirrorarm::station {
+
+/// A folder of its own, gone with the test.
+struct ScratchFolder {
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "mirrorarm-XXXXXX").string();
+    path = ::mkdtemp(name.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path); }
+  std::filesystem::path path;
+};
+
+inline simulation::BenchSettings benchFor(const std::string& exercise, bool own_pace = false) {
+  simulation::BenchSettings settings;
+  settings.resources = RESOURCES;
+  settings.legs = legsOf(*therapy::exerciseOf(exercise));
+  settings.own_pace = own_pace;
+  return settings;
+}
+
+/// A bench and a lockstep station over it, worked by a script: seconds of session in fractions of them.
+class BenchSession {
+ public:
+  explicit BenchSession(const ScriptSettings& script, const simulation::BenchSettings& bench = benchFor("reach")) {
+    time_.set(TimePoint(std::chrono::seconds(1)));
+    auto made = simulation::Bench::make(bench, time_);
+    if (!made) throw std::runtime_error(describe(made.error()));
+    bench_ = std::move(*made);
+    StationSettings settings;
+    settings.store_file = folder_.path / "store.sqlite";
+    settings.black_box_folder = folder_.path;
+    station_ = std::make_unique<LockstepStation>(equipmentOf(*bench_), settings, time_);
+    script_ = std::make_unique<SessionScript>(*station_, script,
+                                              [this](bool moving) { bench_->setPatientMoving(moving); });
+  }
+
+  /// Runs until `until` says so or the script ends; gives the script's last word.
+  template <class Until>
+  SessionScript::Progress runUntil(Until until) {
+    auto progress = SessionScript::Progress::kRunning;
+    while (progress == SessionScript::Progress::kRunning && !until(script_->seen())) {
+      station_->advanceTo(time_.now() + std::chrono::milliseconds(20));
+      progress = script_->step(time_.now());
+    }
+    return progress;
+  }
+  SessionScript::Progress run() {
+    return runUntil([](const Snapshot&) { return false; });
+  }
+  /// Runs without the script.
+  const Snapshot& wait(Seconds duration) {
+    station_->advanceTo(time_.now() + toClock(duration));
+    last_ = station_->snapshot();
+    return last_;
+  }
+
+  simulation::Bench& bench() { return *bench_; }
+  LockstepStation& station() { return *station_; }
+  SessionScript& script() { return *script_; }
+  const std::filesystem::path& folder() const { return folder_.path; }
+
+ private:
+  ScratchFolder folder_;
+  ManualTime time_;
+  std::unique_ptr<simulation::Bench> bench_;
+  std::unique_ptr<LockstepStation> station_;
+  std::unique_ptr<SessionScript> script_;
+  Snapshot last_;
+};
+
+inline bool isTraining(const Snapshot& snapshot) { return snapshot.control.phase == therapy::Phase::kTraining; }
+
+}  // namespace mirrorarm::station
