@@ -1,0 +1,31 @@
+#include "core/tracking/reteach.h"
+
+#include <algorithm>
+
+#include "core/tracking/softassign.h"
+
+namespace mirrorarm::tracking {
+namespace {
+
+/// How far skin carries a marker before it must be another one.
+constexpr double kSkinMoves_m = 0.020;
+
+}  // namespace
+
+std::optional<Target> reteach(const Target& old, std::span<const Eigen::Vector3d> cloud_C,
+                              const RigidTransform& X_CT_last, const TrackerSettings& settings) {
+  SoftassignSettings wide = settings.softassign;
+  wide.tolerated_distance_m = kSkinMoves_m;
+  const auto found = registerSoftassign(old.markers_T, cloud_C, wide, X_CT_last);
+  const double needed = std::max(3.0, settings.min_marker_share * static_cast<double>(old.markers_T.size()));
+  if (found.matched < needed || found.rms_m > kSkinMoves_m) return std::nullopt;
+  Target adapted = old;
+  adapted.markers_covariance_m2.clear();
+  const RigidTransform X_TC = found.X_YX.inverse();
+  for (std::size_t marker = 0; marker < adapted.markers_T.size(); ++marker)
+    if (const int point = found.y_of_x[marker]; point >= 0)
+      adapted.markers_T[marker] = X_TC * cloud_C[static_cast<std::size_t>(point)];
+  return adapted;
+}
+
+}  // namespace mirrorarm::tracking
