@@ -7,6 +7,7 @@
 #include "app/cli/session_files.h"
 #include "core/common/atomic_file.h"
 #include "core/common/resources.h"
+#include "core/records/store.h"
 #include "core/station/bench_equipment.h"
 #include "core/station/lockstep_station.h"
 #include "core/station/session_script.h"

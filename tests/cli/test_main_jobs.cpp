@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/common/csv.h"
+#include "core/geometry/rigid_transform.h"
+#include "program.h"
+
+// The main jobs on real input, through the program itself.
+namespace mirrorarm::cli {
+namespace {
+
+#define SKIP_WITHOUT(path) \
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << (path) << " is absent"
+
+TEST(MainJobs, ARecordedArmIsTrackedFollowedAndRecorded) {
+  const auto trc = shared("pyomeca-upper-limb/markers.trc");
+  SKIP_WITHOUT(trc);
+  const Scratch scratch;
+  const auto done = run("session --fast --seconds 12 --motion " + trc.string() + " --json --out " +
+                        (scratch / "session").string());
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const auto result = done.json();
+  EXPECT_GT(result["frames"], 250);
+  EXPECT_GE(result["tracked_share"], 0.95);
+  EXPECT_LT(result["pose_error_mm"]["rms"], 1.0);
+  EXPECT_LE(result["joint_speed_ratio"], 1.0 + 1e-9);
+  EXPECT_LE(result["joint_acceleration_ratio"], 1.0 + 1e-9);
+  EXPECT_GT(result["lag_ms"], 0.0);
+  for (const char* file : {"store.sqlite", "session.json", "poses.csv", "robot.csv"})
+    EXPECT_TRUE(std::filesystem::exists(scratch / "session" / file)) << file;
+  EXPECT_TRUE(CsvTable::read(scratch / "session/poses.csv"));
+  EXPECT_TRUE(CsvTable::read(scratch / "session/robot.csv"));
+}
+
+RigidTransform poseIn(const CsvTable& table, const CsvRow& row) {
+  constexpr std::array<std::string_view, 7> names{"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"};
+  const auto columns = table.columns(names).value();
+  const auto at = [&](std::size_t i) { return table.number(row, columns[i]).value(); };
+  return makeTransform(Eigen::Quaterniond(at(6), at(3), at(4), at(5)), Eigen::Vector3d(at(0), at(1), at(2)));
+}
+
+/// Root mean square distance of tracked and true target origin over all rows [mm].
+double poseRms_mm(const std::filesystem::path& poses_file, const std::filesystem::path& truth_file) {
+  const auto poses = CsvTable::read(poses_file).value();
+  const auto truth = CsvTable::read(truth_file).value();
+  EXPECT_EQ(poses.rows().size(), truth.rows().size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < poses.rows().size(); ++i)
+    sum += (poseIn(poses, poses.rows()[i]).translation() - poseIn(truth, truth.rows()[i]).translation()).squaredNorm();
+  return 1e3 * std::sqrt(sum / static_cast<double>(poses.rows().size()));
+}
+
+TEST(MainJobs, ThePapersCuboidIsTrackedToATwentiethOfAMillimetre) {
+  const Scratch scratch;
+  const auto recording = scratch / "cuboid", poses = scratch / "poses.csv";
+  const auto scene = std::filesystem::path(RESOURCES) / "scenes/paper_cuboid.yaml";
+  const auto simulated = run("simulate " + scene.string() + " --out " + recording.string());
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  const auto tracked = run("track " + recording.string() + " --target " + (recording / "target.yaml").string() +
+                           " --json --out " + poses.string());
+  ASSERT_EQ(tracked.exit_code, 0) << tracked.err;
+  EXPECT_EQ(tracked.json()["tracked_share"], 1.0);
+  EXPECT_LE(poseRms_mm(poses, recording / "truth.csv"), 0.05);
+}
+
+TEST(MainJobs, AChessboardCalibratesAStereoRig) {
+  const auto data = shared("opencv-chess-stereo");
+  SKIP_WITHOUT(data);
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch / "left");
+  std::filesystem::create_directories(scratch / "right");
+  for (const auto& entry : std::filesystem::directory_iterator(data)) {
+    if (entry.path().extension() != ".jpg") continue;
+    const auto name = entry.path().filename().string();
+    const auto side = name.starts_with("left") ? "left" : "right";
+    std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), scratch / side / name);
+  }
+  const auto rig = scratch / "rig.yaml";
+  const std::string call = "calibrate stereo " + (scratch / "left").string() + " " + (scratch / "right").string() +
+                           " --board chessboard:9x6:0.025 --model brown_conrady --json --out " + rig.string();
+  const auto all = run(call);
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_LE(all.json()["rms_px"], 0.23);
+  EXPECT_TRUE(std::filesystem::exists(rig));
+  const auto held_out = run(call + " --hold-out 2");
+  ASSERT_EQ(held_out.exit_code, 0) << held_out.err;
+  EXPECT_LE(held_out.json()["hold_out"]["epipolar_px"], 0.25);
+}
+
+TEST(MainJobs, DoctorSpeaksJson) {
+  const auto done = run("doctor --json");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(done.json().is_object());
+}
+
+TEST(MainJobs, EveryCommandShowsAnExample) {
+  for (const std::string command : {"session", "simulate", "detect", "track", "teach", "calibrate stereo",
+                                    "calibrate mono", "calibrate hand-eye", "doctor"}) {
+    const auto help = run(command + " --help");
+    EXPECT_EQ(help.exit_code, 0) << command;
+    EXPECT_NE(help.out.find("Example:"), std::string::npos) << command;
+    EXPECT_NE(help.out.find("--json"), std::string::npos) << command;
+  }
+}
+
+}  // namespace
+}  // namespace mirrorarm::cli
