@@ -117,13 +117,14 @@ nlohmann::ordered_json resultOf(const Options& options, const Outcome& outcome, 
           {"session", outcome.record.session}};
 }
 
-void writeFiles(const Options& options, const Outcome& outcome, const nlohmann::ordered_json& result) {
+void writeFiles(const Options& options, const Outcome& outcome, const RigidTransform& X_FE,
+                const nlohmann::ordered_json& result) {
   auto store = records::Store::openExisting(options.out / "store.sqlite");
   if (!store) throw CommandFailed(store.error().reason);
   const auto samples = (*store)->samples(outcome.record.session);
   if (!samples) throw CommandFailed(samples.error().reason);
   orFail(writePoses(options.out / "poses.csv", *samples));
-  orFail(writeRobot(options.out / "robot.csv", *samples));
+  orFail(writeRobot(options.out / "robot.csv", *samples, X_FE));
   orFail(writeWhole(options.out / "session.json", [&](std::ostream& out) { out << result.dump(2) << '\n'; }));
 }
 
@@ -144,7 +145,7 @@ void session(const Options& options, Context& context) {
   if (outcome.record.recording != station::Recording::kComplete)
     throw CommandFailed("the session's record is not complete: " + std::string(id(outcome.record.recording)));
   context.result = resultOf(options, outcome, audit);
-  writeFiles(options, outcome, context.result);
+  writeFiles(options, outcome, bench->X_FE(), context.result);
   if (!context.json) std::cout << context.result.dump(2) << std::endl;
 }
 

@@ -77,17 +77,19 @@ TrackStatus statusOf(std::string_view name) {
 
 /// One row, bound once to a statement and filled or read again and again.
 struct SampleRow {
-  double time_s = 0.0, rms_m = 0.0;
+  double time_s = 0.0, rms_m = 0.0, sigma_t_m = 0.0, sigma_r_rad = 0.0;
   int training = 0, matched = 0;
   std::string status;
   std::array<PoseCells, kPoses.size()> poses;
   std::array<std::string, kJoints.size()> joints;
 
   void set(const Sample& sample) {
-    if (!std::isfinite(sample.time_s) || !std::isfinite(sample.rms_m))
-      throw std::runtime_error("a time or misfit of a sample is not finite");
+    if (!std::isfinite(sample.time_s + sample.rms_m + sample.sigma_t_m + sample.sigma_r_rad))
+      throw std::runtime_error("a number of a sample is not finite");
     time_s = sample.time_s;
     rms_m = sample.rms_m;
+    sigma_t_m = sample.sigma_t_m;
+    sigma_r_rad = sample.sigma_r_rad;
     training = sample.training ? 1 : 0;
     matched = sample.matched;
     status = kStatusNames.at(static_cast<std::size_t>(sample.status));
@@ -103,6 +105,8 @@ struct SampleRow {
     Sample sample;
     sample.time_s = time_s;
     sample.rms_m = rms_m;
+    sample.sigma_t_m = sigma_t_m;
+    sample.sigma_r_rad = sigma_r_rad;
     sample.training = training != 0;
     sample.matched = matched;
     sample.status = statusOf(status);
@@ -117,14 +121,14 @@ struct SampleRow {
   }
 };
 
-constexpr const char* kPlainColumns = "time_s, rms_m, training, matched, status";
+constexpr const char* kPlainColumns = "time_s, rms_m, sigma_t_m, sigma_r_rad, training, matched, status";
 
 }  // namespace
 
 std::string sampleTable() {
   return "create table sample (id integer primary key autoincrement, "
          "session_id integer not null references session (id), time_s real not null, rms_m real not null, "
-         "training integer not null, matched integer not null, status text not null" +
+         "sigma_t_m real not null, sigma_r_rad real not null, training integer not null, matched integer not null, status text not null" +
          columnList("", " real", " text not null") + ")";
 }
 
@@ -135,6 +139,8 @@ void insertSamples(soci::session& sql, std::int64_t session, std::span<const Sam
   insert.exchange(soci::use(id));
   insert.exchange(soci::use(row.time_s));
   insert.exchange(soci::use(row.rms_m));
+  insert.exchange(soci::use(row.sigma_t_m));
+  insert.exchange(soci::use(row.sigma_r_rad));
   insert.exchange(soci::use(row.training));
   insert.exchange(soci::use(row.matched));
   insert.exchange(soci::use(row.status));
@@ -144,7 +150,7 @@ void insertSamples(soci::session& sql, std::int64_t session, std::span<const Sam
   for (auto& joints : row.joints) insert.exchange(soci::use(joints));
   insert.alloc();
   insert.prepare(std::string("insert into sample (session_id, ") + kPlainColumns + columnList("") +
-                 ") values (:session_id, :time_s, :rms_m, :training, :matched, :status" + columnList(":") +
+                 ") values (:session_id, :time_s, :rms_m, :sigma_t_m, :sigma_r_rad, :training, :matched, :status" + columnList(":") +
                  ")");
   insert.define_and_bind();
   for (const auto& sample : samples) {
@@ -160,6 +166,8 @@ std::vector<Sample> selectSamples(soci::session& sql, std::int64_t session) {
   select.exchange(soci::use(id));
   select.exchange(soci::into(row.time_s));
   select.exchange(soci::into(row.rms_m));
+  select.exchange(soci::into(row.sigma_t_m));
+  select.exchange(soci::into(row.sigma_r_rad));
   select.exchange(soci::into(row.training));
   select.exchange(soci::into(row.matched));
   select.exchange(soci::into(row.status));

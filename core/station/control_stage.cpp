@@ -96,6 +96,8 @@ void ControlStage::sample(const FrameReport& report, const RigidTransform& X_BF)
   sample.status = report.target.status;
   sample.matched = report.target.matched_count;
   sample.rms_m = report.target.rms_m;
+  sample.sigma_t_m = shiftSigma(report.target);
+  sample.sigma_r_rad = turnSigma(report.target);
   sample.X_CT = report.target.X_CT;
   sample.X_BT = state_.X_BT;
   sample.X_BE = X_BF * X_FE_;

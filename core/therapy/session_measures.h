@@ -15,13 +15,15 @@ struct Sample {
   tracking::TrackStatus status = tracking::TrackStatus::kLost;
   int matched = 0;
   double rms_m = 0.0;
+  double sigma_t_m = 0.0;    ///< largest standard deviation of the target's shift in the camera
+  double sigma_r_rad = 0.0;  ///< and of its turn
   RigidTransform X_CT = RigidTransform::Identity();       ///< target in camera; good unless lost
   RigidTransform X_BT = RigidTransform::Identity();       ///< target in robot base; good unless lost
   RigidTransform X_BE = RigidTransform::Identity();       ///< end effector, measured
   RigidTransform X_BE_goal = RigidTransform::Identity();  ///< where it belonged; good while training
   robot::Joints q_rad;                                    ///< measured
-  robot::Joints v_rad_s;                                  ///< commanded
-  robot::Joints a_rad_s2;                                 ///< commanded
+  robot::Joints v_rad_s;   ///< largest commanded of each joint since the sample before
+  robot::Joints a_rad_s2;  ///< largest commanded of each joint since the sample before
 };
 
 /// What a session comes to. Figures of movement are taken from the training samples alone.

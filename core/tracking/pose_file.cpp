@@ -1,10 +1,6 @@
 #include "core/tracking/pose_file.h"
 
-#include <algorithm>
-#include <cmath>
 #include <ostream>
-
-#include <Eigen/Eigenvalues>
 
 #include "core/common/atomic_file.h"
 
@@ -13,19 +9,13 @@ namespace {
 
 constexpr int kNumbersOfPose = 11;
 
-double largestSigma(const Eigen::Matrix3d& covariance) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
-}
-
 void writePose(std::ostream& out, const TrackedTarget& answer) {
   const Eigen::Vector3d p = answer.X_CT.translation();
   const Eigen::Quaterniond q = rotationOf(answer.X_CT);
   out << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << q.x() << ',' << q.y() << ',' << q.z() << ','
       << q.w() << ',' << answer.rms_m << ',' << answer.matched_count << ','
-      << largestSigma(answer.covariance.bottomRightCorner<3, 3>()) << ','
-      << largestSigma(answer.covariance.topLeftCorner<3, 3>());
+      << shiftSigma(answer) << ','
+      << turnSigma(answer);
 }
 
 }  // namespace

@@ -1,6 +1,20 @@
 #include "core/tracking/tracked_target.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
 namespace mirrorarm::tracking {
+namespace {
+
+double largestSigma(const Eigen::Matrix3d& covariance) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
+}
+
+}  // namespace
 
 std::string_view id(TrackStatus status) {
   switch (status) {
@@ -29,5 +43,11 @@ std::string_view id(LostReason reason) {
   }
   return "none";
 }
+
+double shiftSigma(const TrackedTarget& target) {
+  return largestSigma(target.covariance.bottomRightCorner<3, 3>());
+}
+
+double turnSigma(const TrackedTarget& target) { return largestSigma(target.covariance.topLeftCorner<3, 3>()); }
 
 }  // namespace mirrorarm::tracking

@@ -42,6 +42,11 @@ struct TrackedTarget {
   std::array<std::int16_t, kMaxMarkers> point_of_marker{};
 };
 
+/// Largest standard deviation of the pose's shift over all directions [m].
+[[nodiscard]] double shiftSigma(const TrackedTarget& target);
+/// Largest standard deviation of its turn over all axes [rad].
+[[nodiscard]] double turnSigma(const TrackedTarget& target);
+
 /// True while the pose may still move a robot or a drawing: tracked or predicted, not older than `max_age`,
 /// not from the future. The one gate to the robot and to green on the screen.
 [[nodiscard]] inline bool isFresh(const TrackedTarget& target, TimePoint now, Seconds max_age) {

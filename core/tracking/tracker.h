@@ -19,7 +19,7 @@ struct TrackerSettings {
   double max_rms_m = 0.003;       ///< of an accepted fit (paper: 3 mm)
   Seconds predict_for{0.1};       ///< how long a target that vanished is carried on at its velocity
   Seconds follow_for{0.25};  ///< how old the last pose may be to start from; then the target is sought anew
-  int rejections_before_reteach = 12;  ///< rejected frames in a row after which the model no longer fits
+  int rejections_before_reteach = 4;  ///< rejected frames in a row after which the model no longer fits
 };
 
 /// Follows several taught targets from frame to frame. Each starts from its last pose, carried on at its

@@ -25,6 +25,8 @@ void expectEqual(const therapy::Sample& a, const therapy::Sample& b) {
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.matched, b.matched);
   EXPECT_EQ(a.rms_m, b.rms_m);
+  EXPECT_EQ(a.sigma_t_m, b.sigma_t_m);
+  EXPECT_EQ(a.sigma_r_rad, b.sigma_r_rad);
   for (auto pose : {&therapy::Sample::X_CT, &therapy::Sample::X_BT, &therapy::Sample::X_BE,
                     &therapy::Sample::X_BE_goal}) {
     EXPECT_EQ((a.*pose).translation(), (b.*pose).translation());
