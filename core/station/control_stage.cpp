@@ -174,8 +174,11 @@ Answer ControlStage::start() {
   return Answer::kAccepted;
 }
 
+// A motion without pieces is none: the servo loop brakes.
 void ControlStage::pause() {
   state_.phase = Phase::kPaused;
+  state_.trajectory = {};
+  servo_.setTrajectory(state_.trajectory);
   recordEvent("paused");
 }
 
