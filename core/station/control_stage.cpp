@@ -78,7 +78,8 @@ void ControlStage::takeReport(const FrameReport& report) {
     if (report.target.status == TrackStatus::kTracked) seen_.last_target = report.exposed_at;
     if (state_.has_goal) state_.X_BE_goal = goalOf(alignment_, mapping_, state_.X_BT);
   }
-  if (session_start_ && report.has_target && state_.phase != Phase::kFinished) sample(report, *X_BF);
+  const bool belongs = session_start_ && report.exposed_at >= *session_start_ && report.has_target;
+  if (belongs && state_.phase != Phase::kFinished) sample(report, *X_BF);
 }
 
 void ControlStage::endTeaching(const FrameReport& report) {
