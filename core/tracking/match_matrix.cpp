@@ -42,47 +42,48 @@ void MatchMatrix::startColumns(double beta) {
 
 // Factor of a row: one over the sum of its entries and its slack 1, the largest taken out before exp().
 void MatchMatrix::normaliseRowLogarithms() {
-  weights_ = log_entries_.rowwise() + log_column_;
-  row_peak_ = weights_.rowwise().maxCoeff().max(0.0);
-  weights_.colwise() -= row_peak_;
-  weights_ = weights_.exp();
-  log_row_ = -row_peak_ - (weights_.rowwise().sum() + (-row_peak_).exp()).log();
+  terms_ = log_entries_.rowwise() + log_column_;
+  row_peak_ = terms_.rowwise().maxCoeff().max(0.0);
+  terms_.colwise() -= row_peak_;
+  terms_ = terms_.exp();
+  log_row_ = -row_peak_ - (terms_.rowwise().sum() + (-row_peak_).exp()).log();
 }
 
 void MatchMatrix::normaliseColumnLogarithms() {
-  weights_ = log_entries_.colwise() + log_row_;
-  column_peak_ = weights_.colwise().maxCoeff().max(0.0);
-  weights_.rowwise() -= column_peak_;
-  weights_ = weights_.exp();
-  log_column_ = -column_peak_ - (weights_.colwise().sum() + (-column_peak_).exp()).log();
+  terms_ = log_entries_.colwise() + log_row_;
+  column_peak_ = terms_.colwise().maxCoeff().max(0.0);
+  terms_.rowwise() -= column_peak_;
+  terms_ = terms_.exp();
+  log_column_ = -column_peak_ - (terms_.colwise().sum() + (-column_peak_).exp()).log();
 }
 
 // After one round on logarithms every sum lies near 1, so the further rounds need no exp().
 void MatchMatrix::balance() {
-  weights_ = ((log_entries_.colwise() + log_row_).rowwise() + log_column_).exp();
+  weights_.array() = ((log_entries_.colwise() + log_row_).rowwise() + log_column_).exp();
   row_slack_ = log_row_.exp();
   column_slack_ = log_column_.exp();
   row_factor_.setOnes(weights_.rows());
   column_factor_.setOnes(weights_.cols());
   for (int round = 0; round < kMaxRounds; ++round) {
     row_factor_before_ = row_factor_;
-    row_factor_ = (row_slack_ + (weights_.matrix() * column_factor_.matrix().transpose()).array()).inverse();
-    column_factor_ =
-        (column_slack_ + (row_factor_.matrix().transpose() * weights_.matrix()).array()).inverse();
-    if ((row_factor_ - row_factor_before_).abs().maxCoeff() < kAgreement) break;
+    row_factor_.noalias() = weights_ * column_factor_.transpose();
+    row_factor_.array() = (row_slack_ + row_factor_.array()).inverse();
+    column_factor_.noalias() = row_factor_.transpose() * weights_;
+    column_factor_.array() = (column_slack_ + column_factor_.array()).inverse();
+    if ((row_factor_ - row_factor_before_).lpNorm<Eigen::Infinity>() < kAgreement) break;
   }
-  weights_ = (weights_.colwise() * row_factor_).rowwise() * column_factor_;
-  slack_ = row_slack_ * row_factor_;
-  slack_row_ = column_slack_ * column_factor_;
-  log_row_ += row_factor_.log();
-  log_column_ += column_factor_.log();
+  weights_.array() = (weights_.array().colwise() * row_factor_.array()).rowwise() * column_factor_.array();
+  slack_ = row_slack_ * row_factor_.array();
+  slack_row_ = column_slack_ * column_factor_.array();
+  log_row_ += row_factor_.array().log();
+  log_column_ += column_factor_.array().log();
 }
 
 bool MatchMatrix::isBinary(double tolerance) const {
   const auto undecided = [tolerance](const auto& shares) {
     return (shares > tolerance && shares < 1.0 - tolerance).any();
   };
-  return !undecided(weights_) && !undecided(slack_) && !undecided(slack_row_);
+  return !undecided(weights_.array()) && !undecided(slack_) && !undecided(slack_row_);
 }
 
 }  // namespace mirrorarm::tracking

@@ -18,7 +18,7 @@ class MatchMatrix {
   void assign(const Eigen::ArrayXXd& Q_mm2, double beta);
 
   /// The entries without the slacks.
-  [[nodiscard]] const Eigen::ArrayXXd& weights() const { return weights_; }
+  [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }
   /// For each model point the share that has no partner.
   [[nodiscard]] const Eigen::ArrayXd& slack() const { return slack_; }
   /// True when each entry and slack is 0 or 1 to `tolerance`: a larger beta changes nothing any more.
@@ -31,10 +31,13 @@ class MatchMatrix {
   void balance();
 
   double beta_ = 0.0;
-  Eigen::ArrayXXd log_entries_, weights_;
-  Eigen::ArrayXd log_row_, row_peak_, row_factor_, row_factor_before_, row_slack_, slack_;
-  Eigen::Array<double, 1, Eigen::Dynamic> log_column_, column_peak_, column_factor_, column_slack_,
-      slack_row_;
+  using RowArray = Eigen::Array<double, 1, Eigen::Dynamic>;
+  Eigen::ArrayXXd log_entries_, terms_;
+  Eigen::MatrixXd weights_;
+  Eigen::ArrayXd log_row_, row_peak_, row_slack_, slack_;
+  RowArray log_column_, column_peak_, column_slack_, slack_row_;
+  Eigen::VectorXd row_factor_, row_factor_before_;
+  Eigen::RowVectorXd column_factor_;
 };
 
 }  // namespace mirrorarm::tracking

@@ -30,7 +30,7 @@ struct TrackerSettings {
 /// finite are ignored. At most kMaxPoints points are considered for one target, in their given order (those
 /// near the prediction, or the free ones when it is sought), and no point past the first 32768: time is
 /// bounded whatever a cloud holds.
-/// One thread (the tracking thread).
+/// Following takes nothing from the heap once its buffers have grown. One thread (the tracking thread).
 class Tracker {
  public:
   explicit Tracker(const TrackerSettings& settings);

@@ -93,8 +93,8 @@ TEST(MatchMatrix, RowsAndColumnsWithTheirSlacksSumToOne) {
     MatchMatrix match;
     match.reset(6, 8);
     match.assign(Q, beta);
-    ASSERT_TRUE(match.weights().isFinite().all());
-    const Eigen::ArrayXd rows = match.weights().rowwise().sum() + match.slack();
+    ASSERT_TRUE(match.weights().allFinite());
+    const Eigen::ArrayXd rows = match.weights().rowwise().sum().array() + match.slack();
     EXPECT_LT((rows - 1.0).abs().maxCoeff(), 1e-3) << beta;
     EXPECT_LE(match.weights().colwise().sum().maxCoeff(), 1.0 + 1e-9) << beta;
   }

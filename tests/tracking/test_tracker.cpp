@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/tracking/tracker.h"
+#include "tests/common/no_heap.h"
 #include "tests/tracking/world.h"
 
 using namespace mirrorarm;
@@ -210,6 +211,20 @@ TEST(Tracker, AsksForANewModelWhenTheOldNoLongerFits) {
   EXPECT_EQ(
       tracker.track(asStereo(look(slipped.markers_T, armAt(0.0), 10, 0, noise).points_C), now)[0].status,
       TrackStatus::kTracked);
+}
+
+TEST(Tracker, TakesNothingFromTheHeapOnceItFollows) {
+  if (!mirrorarm::testing::heapIsCounted) GTEST_SKIP() << "a sanitizer brings its own heap";
+  const Target target = forearm();
+  Noise noise(24);
+  Tracker tracker = trackerOf({target});
+  for (int frame = 0; frame < 60; ++frame) {
+    const double t = frame / 24.0;
+    const auto points = asStereo(look(target.markers_T, armAt(t), 10, 4, noise).points_C);
+    const TimePoint exposed_at(toClock(Seconds(t)));
+    const auto calls = mirrorarm::testing::heapCallsIn([&] { (void)tracker.track(points, exposed_at); });
+    ASSERT_TRUE(frame < 30 || calls == 0) << frame;
+  }
 }
 
 TEST(Tracker, ThePapersFullScheduleTracksToo) {
