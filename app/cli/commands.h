@@ -10,6 +10,7 @@ namespace mirrorarm::cli {
 void addCalibrate(CLI::App& app, Context& context);
 void addDetect(CLI::App& app, Context& context);
 void addSession(CLI::App& app, Context& context);
+void addSimulate(CLI::App& app, Context& context);
 void addTeach(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
 

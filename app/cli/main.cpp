@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   addCalibrate(app, context);
   addDetect(app, context);
   addSession(app, context);
+  addSimulate(app, context);
   addTeach(app, context);
   addTrack(app, context);
   try {
