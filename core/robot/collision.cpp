@@ -7,7 +7,6 @@
 #include <fcl/narrowphase/collision_object.h>
 
 #include "core/robot/kinematics.h"
-#include "core/robot/planner.h"
 
 namespace mirrorarm::robot {
 namespace {

@@ -7,13 +7,18 @@
 
 namespace mirrorarm::robot {
 
-struct Obstacle;
+/// A box the arm must not enter, in base frame B.
+struct Obstacle {
+  RigidTransform X_BO = RigidTransform::Identity();  ///< its centre
+  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
+};
 
 /// Whether the shapes of one arm touch each other or an obstacle (FCL inside). Shapes on the same link or on
 /// neighbouring links are not compared: they always touch. The base stands still and is not compared with
 /// obstacles. One thread: it keeps work space.
 class CollisionWorld {
  public:
+  /// `attached` are shapes fixed to the flange (link = jointCount()): camera bar, sling.
   CollisionWorld(const ArmDescription& arm, std::span<const Capsule> attached,
                  std::span<const Obstacle> obstacles);
   ~CollisionWorld();

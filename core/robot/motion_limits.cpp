@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
 namespace mirrorarm::robot {
 namespace {
@@ -12,6 +11,7 @@ constexpr double kBigJointAcceleration_rad_s2 = 0.5;  // of the two that carry t
 constexpr double kJointAcceleration_rad_s2 = 0.8;
 constexpr double kToolAcceleration_m_s2 = 0.8;
 constexpr int kBigJoints = 2;
+constexpr double kLargestMargin = 0.25;  // of a joint's range
 
 struct Profile {
   std::string_view name;
@@ -29,9 +29,9 @@ std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescript
       Joints(n), Joints(n), Joints(n), Joints(n), found->tool_speed_m_s, kToolAcceleration_m_s2};
   for (int i = 0; i < n; ++i) {
     const auto& joint = arm.joints[static_cast<std::size_t>(i)];
-    assert(joint.upper_rad - joint.lower_rad > 2.0 * margin_rad);
-    limits.lower_rad[i] = joint.lower_rad + margin_rad;
-    limits.upper_rad[i] = joint.upper_rad - margin_rad;
+    const double margin = std::min(margin_rad, kLargestMargin * (joint.upper_rad - joint.lower_rad));
+    limits.lower_rad[i] = joint.lower_rad + margin;
+    limits.upper_rad[i] = joint.upper_rad - margin;
     limits.max_speed_rad_s[i] = std::min(kJointSpeed_rad_s, joint.max_speed_rad_s);
     limits.max_acceleration_rad_s2[i] =
         i < kBigJoints ? kBigJointAcceleration_rad_s2 : kJointAcceleration_rad_s2;

@@ -22,7 +22,7 @@ struct MotionLimits {
 
 /// Named profiles: "therapy" (joints 0.24 rad/s and 0.5 or 0.8 rad/s^2, tool 0.24 m/s and 0.8 m/s^2), "t1"
 /// (the same joints, tool 0.25 m/s) and "head" (tool 0.13 m/s). Joint ranges come from the arm, `margin_rad`
-/// inside. Nothing for an unknown name.
+/// inside (at most a quarter of the range). Nothing for an unknown name.
 [[nodiscard]] std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescription& arm,
                                                    double margin_rad = 0.035);
 [[nodiscard]] std::vector<std::string_view> limitProfiles();

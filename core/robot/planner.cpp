@@ -1,17 +1,13 @@
 #include "core/robot/planner.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <optional>
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
-
-#include "core/robot/collision.h"
 
 namespace mirrorarm::robot {
 namespace {

@@ -8,16 +8,9 @@
 
 #include "core/common/expected.h"
 #include "core/common/time.h"
-#include "core/robot/arm_description.h"
-#include "core/robot/joints.h"
+#include "core/robot/collision.h"
 
 namespace mirrorarm::robot {
-
-/// A box the arm must not enter, in base frame B.
-struct Obstacle {
-  RigidTransform X_BO = RigidTransform::Identity();  ///< its centre
-  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
-};
 
 struct PlannerSettings {
   double resolution_rad = 0.02;  ///< largest joint step between two collision checks

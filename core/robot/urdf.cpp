@@ -1,20 +1,38 @@
 #include "core/robot/urdf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <console_bridge/console.h>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include <urdf_parser/urdf_parser.h>
 
 namespace mirrorarm::robot {
 namespace {
 
+/// A joint or link of the file.
+struct Place {
+  std::string kind;
+  std::string name;
+};
+
 /// Why a file is no arm; leaves this file as a FileError.
 struct Refusal {
   std::string reason;
+  Place place = {};
 };
+
+[[noreturn]] void refuse(const Place& place, const std::string& reason) {
+  throw Refusal{place.kind + " '" + place.name + "': " + reason, place};
+}
+
+/// The line in which an element begins, 0 when it cannot be told.
+int lineOf(const Place& place, const std::string& xml) {
+  const auto at = xml.find("<" + place.kind + " name=\"" + place.name + "\"");
+  if (place.kind.empty() || at == std::string::npos) return 0;
+  return 1 + static_cast<int>(std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
 
 /// Takes what urdfdom says while it reads: the first complaint is the reason, nothing reaches the terminal.
 class Complaints final : public console_bridge::OutputHandler {
@@ -38,20 +56,17 @@ class Complaints final : public console_bridge::OutputHandler {
   std::string first_;
 };
 
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
-
 Eigen::Vector3d toVector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-RigidTransform toTransform(const urdf::Pose& pose, const std::string& place) {
+RigidTransform toTransform(const urdf::Pose& pose, const Place& place) {
   const Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
   const Eigen::Vector3d p = toVector(pose.position);
-  if (!p.allFinite() || !std::isfinite(q.norm()) || q.norm() < 0.5)
-    throw Refusal{place + ": origin is not a pose"};
+  if (!p.allFinite() || !std::isfinite(q.norm()) || q.norm() < 0.5) refuse(place, "origin is not a pose");
   return makeTransform(q, p);
 }
 
-double positive(double number, const std::string& what) {
-  if (!std::isfinite(number) || number <= 0.0) throw Refusal{what + " must be a positive number"};
+double positive(double number, const Place& place, const std::string& what) {
+  if (!std::isfinite(number) || number <= 0.0) refuse(place, what + " must be a positive number");
   return number;
 }
 
@@ -61,14 +76,14 @@ struct Sweep {
   double radius_m = 0.0;
 };
 
-Sweep sweepOf(const urdf::Geometry& shape, const std::string& place) {
+Sweep sweepOf(const urdf::Geometry& shape, const Place& place) {
   if (shape.type == urdf::Geometry::SPHERE)
-    return {0.0, positive(static_cast<const urdf::Sphere&>(shape).radius, place + ": sphere radius")};
+    return {0.0, positive(static_cast<const urdf::Sphere&>(shape).radius, place, "sphere radius")};
   if (shape.type != urdf::Geometry::CYLINDER)
-    throw Refusal{place + ": collision shape is neither a cylinder nor a sphere"};
+    refuse(place, "collision shape is neither a cylinder nor a sphere");
   const auto& cylinder = static_cast<const urdf::Cylinder&>(shape);
-  return {positive(cylinder.length, place + ": cylinder length") / 2.0,
-          positive(cylinder.radius, place + ": cylinder radius")};
+  return {positive(cylinder.length, place, "cylinder length") / 2.0,
+          positive(cylinder.radius, place, "cylinder radius")};
 }
 
 /// Walks the chain and gathers the arm.
@@ -81,7 +96,7 @@ class ArmReader {
     for (const urdf::Link* link = &root; !link->child_joints.empty();
          link = link->child_links.front().get()) {
       if (link->child_joints.size() != 1 || link->child_links.size() != 1)
-        throw Refusal{"link " + quoted(link->name) + " has more than one child: an arm is one chain"};
+        refuse({"link", link->name}, "has more than one child: an arm is one chain");
       addJoint(*link->child_joints.front());
       addShapes(*link->child_links.front());
     }
@@ -92,40 +107,39 @@ class ArmReader {
 
  private:
   void addJoint(const urdf::Joint& joint) {
-    const std::string place = "joint " + quoted(joint.name);
+    const Place place{"joint", joint.name};
     X_joint_link_ = X_joint_link_ * toTransform(joint.parent_to_joint_origin_transform, place);
     if (joint.type == urdf::Joint::FIXED) return;
-    if (joint.type != urdf::Joint::REVOLUTE)
-      throw Refusal{place + ": only revolute and fixed joints can be used"};
-    if (joint.mimic) throw Refusal{place + ": a joint that mimics another cannot be used"};
+    if (joint.type != urdf::Joint::REVOLUTE) refuse(place, "only revolute and fixed joints can be used");
+    if (joint.mimic) refuse(place, "a joint that mimics another cannot be used");
     if (arm_.jointCount() == kMaxJoints)
-      throw Refusal{place + ": more than " + std::to_string(kMaxJoints) + " turning joints"};
+      refuse(place, "more than " + std::to_string(kMaxJoints) + " turning joints");
     arm_.joints.push_back(turningJoint(joint, place));
     X_joint_link_ = RigidTransform::Identity();
   }
 
-  [[nodiscard]] JointDescription turningJoint(const urdf::Joint& joint, const std::string& place) const {
-    if (!joint.limits) throw Refusal{place + ": has no limits"};
+  [[nodiscard]] JointDescription turningJoint(const urdf::Joint& joint, const Place& place) const {
+    if (!joint.limits) refuse(place, "has no limits");
     JointDescription turning;
     turning.name = joint.name;
     turning.lower_rad = joint.limits->lower;
     turning.upper_rad = joint.limits->upper;
     if (!std::isfinite(turning.lower_rad) || !std::isfinite(turning.upper_rad) ||
         turning.lower_rad >= turning.upper_rad)
-      throw Refusal{place + ": lower limit must be below the upper one"};
-    turning.max_speed_rad_s = positive(joint.limits->velocity, place + ": velocity limit");
-    turning.max_torque_nm = positive(joint.limits->effort, place + ": effort limit");
+      refuse(place, "lower limit must be below the upper one");
+    turning.max_speed_rad_s = positive(joint.limits->velocity, place, "velocity limit");
+    turning.max_torque_nm = positive(joint.limits->effort, place, "effort limit");
     turning.X_parent = X_joint_link_;
     const Eigen::Vector3d axis = toVector(joint.axis);
-    if (!axis.allFinite() || axis.norm() < 1e-6) throw Refusal{place + ": axis has no direction"};
+    if (!axis.allFinite() || axis.norm() < 1e-6) refuse(place, "axis has no direction");
     turning.axis = axis.normalized();
     return turning;
   }
 
   void addShapes(const urdf::Link& link) {
     for (const auto& collision : link.collision_array) {
-      const std::string place = "link " + quoted(link.name);
-      if (!collision || !collision->geometry) throw Refusal{place + ": collision without geometry"};
+      const Place place{"link", link.name};
+      if (!collision || !collision->geometry) refuse(place, "collision without geometry");
       const RigidTransform X = X_joint_link_ * toTransform(collision->origin, place);
       const Sweep sweep = sweepOf(*collision->geometry, place);
       const Eigen::Vector3d half = sweep.half_length_m * Eigen::Vector3d::UnitZ();
@@ -162,7 +176,7 @@ FromFile<ArmDescription> readUrdf(const std::filesystem::path& file) {
   try {
     return parse(xml);
   } catch (const Refusal& refusal) {
-    return unexpected(FileError{file, 0, refusal.reason});
+    return unexpected(FileError{file, lineOf(refusal.place, xml), refusal.reason});
   }
 }
 

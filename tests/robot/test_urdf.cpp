@@ -86,6 +86,11 @@ TEST(Urdf, RefusesWithFileAndReason) {
   const auto missing = readUrdf("/nowhere/arm.urdf");
   ASSERT_FALSE(missing);
   EXPECT_EQ(describe(missing.error()), "/nowhere/arm.urdf: is missing");
+  const auto slide =
+      readText(withInstead(textOf("lbr4plus"), R"("E1" type="revolute")", R"("E1" type="prismatic")"));
+  ASSERT_FALSE(slide);
+  EXPECT_EQ(slide.error().reason, "joint 'E1': only revolute and fixed joints can be used");
+  EXPECT_EQ(slide.error().line, 42);
   EXPECT_NE(refusalOf("this is no XML"), "accepted");
   EXPECT_NE(refusalOf(""), "accepted");
   EXPECT_NE(refusalOf(textOf("lbr4plus").substr(0, 1500)), "accepted");
