@@ -13,8 +13,10 @@ constexpr int kBlock_px = 64;
 template <int kFlip>
 bool anyAboveIn(const std::uint8_t* pixels, const std::uint8_t* thresholds) {
   std::uint8_t any = 0;
-  for (int i = 0; i < kBlock_px; ++i)
-    any |= static_cast<std::uint8_t>(static_cast<std::uint8_t>(pixels[i] ^ kFlip) > thresholds[i] ? 1 : 0);
+  for (int i = 0; i < kBlock_px; ++i) {
+    const auto value = static_cast<std::uint8_t>(pixels[i] ^ kFlip);
+    any |= static_cast<std::uint8_t>(value - std::min(value, thresholds[i]));
+  }
   return any != 0;
 }
 

@@ -153,11 +153,10 @@ void MarkerFinder::Body::dropDoubles() {
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < markers.size(); ++i) {
-    const bool twice = std::any_of(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(kept),
-                                   [&](const auto& other) {
-                                     return (other.centre_px - markers[i].centre_px).norm() <
-                                            std::max(1.0, other.ellipse.semi_minor_px);
-                                   });
+    const bool twice = std::any_of(
+        markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(kept), [&](const auto& other) {
+          return (other.centre_px - markers[i].centre_px).norm() < std::max(1.0, other.ellipse.semi_minor_px);
+        });
     if (!twice) markers[kept++] = markers[i];
   }
   markers.resize(kept);

@@ -31,15 +31,12 @@ class Levels {
   [[nodiscard]] bool empty() const { return total_ == 0; }
   /// Level below which the share `quantile` lies, linear inside the level.
   [[nodiscard]] double level(double quantile) const {
-    if (empty()) return 0.0;
     const double wanted = quantile * total_;
-    double below = 0.0;
-    for (std::size_t value = 0; value < counts_.size(); ++value) {
-      if (below + counts_[value] >= wanted && counts_[value] > 0)
-        return static_cast<double>(value) - 0.5 + (wanted - below) / counts_[value];
-      below += counts_[value];
-    }
-    return 255.0;
+    const int whole = static_cast<int>(wanted);
+    int below = 0;
+    std::size_t value = 0;
+    while (value < 255 && below + counts_[value] <= whole) below += counts_[value++];
+    return static_cast<double>(value) - 0.5 + (wanted - below) / std::max<int>(counts_[value], 1);
   }
 
  private:
@@ -104,7 +101,7 @@ void ThresholdMap::measureTile(const Brightness& image, int column, int row) {
   const int right = std::min(left + kTile_px - 1, region_.right);
   const int bottom = std::min(top + kTile_px - 1, region_.bottom);
   const bool large = region_.width() * region_.height() > 64 * kTile_px * kTile_px;
-  const int step = large ? 3 : 1;
+  const int step = large ? 4 : 1;
   Levels levels;
   Levels steps;
   for (int y = top; y <= bottom; y += step)

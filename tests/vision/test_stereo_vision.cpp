@@ -1,0 +1,91 @@
+#include <random>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "core/vision/stereo_vision.h"
+#include "rendering.h"
+#include "stereo_bench.h"
+
+namespace mirrorarm::vision {
+namespace {
+
+constexpr double kDiscRadius_m = 0.0035;
+
+void drawDisc(Rendering& scene, const camera::CameraModel& camera, const RigidTransform& X_KC,
+              const Eigen::Vector3d& p_C) {
+  camera::CameraModel::ProjectJacobian J;
+  const auto pixel = camera.project(X_KC * p_C, J);
+  const Eigen::Matrix2d axes = kDiscRadius_m * (J * X_KC.linear()).leftCols<2>();  // faces the left camera
+  scene.disc(*pixel, axes, 170);
+}
+
+class StereoVisionTest : public testing::Test {
+ protected:
+  camera::StereoFrame shoot(std::uint64_t sequence) {
+    Rendering left(1296, 964, 12), right(1296, 964, 12);
+    for (const auto& p_C : points_C_) {
+      drawDisc(left, rig_.left, RigidTransform::Identity(), p_C);
+      drawDisc(right, rig_.right, rig_.X_RC, p_C);
+    }
+    return {left.expose(1.8, random_), right.expose(1.8, random_), fromNanoseconds(5), Seconds(0.0015),
+            sequence};
+  }
+
+  camera::StereoRig rig_ = benchRig(camera::LensModel::kKannalaBrandt);
+  std::vector<Eigen::Vector3d> points_C_{{0.00, 0.01, 0.40},  {0.03, -0.03, 0.41}, {0.05, 0.02, 0.39},
+                                         {0.08, -0.01, 0.42}, {0.11, 0.03, 0.40},  {0.13, -0.04, 0.43}};
+  std::mt19937 random_{31};
+  StereoVision vision_{rig_, FinderSettings{}, MatcherSettings{}};
+};
+
+TEST_F(StereoVisionTest, RenderedDiscsComeBackWithinTheirSigma) {
+  double normalised = 0.0;
+  for (std::uint64_t sequence = 0; sequence < 3; ++sequence) {
+    const auto observation = vision_.observe(shoot(sequence));
+    EXPECT_EQ(observation.sequence, sequence);
+    EXPECT_EQ(observation.exposed_at, fromNanoseconds(5));
+    ASSERT_EQ(observation.points.size(), points_C_.size());
+    for (const auto& point : observation.points) {
+      const auto nearest = std::min_element(
+          points_C_.begin(), points_C_.end(),
+          [&](const auto& a, const auto& b) { return (a - point.p_C).norm() < (b - point.p_C).norm(); });
+      const Eigen::Vector3d error = point.p_C - *nearest;
+      EXPECT_LT(error.head<2>().norm(), 1e-4);
+      EXPECT_LT(std::abs(error.z()), 3e-4);
+      normalised += error.dot(point.covariance_m2.inverse() * error);
+    }
+  }
+  EXPECT_LT(normalised / (3.0 * static_cast<double>(points_C_.size())), 6.0)
+      << "3 when the covariance is right";
+}
+
+TEST_F(StereoVisionTest, ExpectedDiscsAloneAreLookedFor) {
+  const auto frame = shoot(0);
+  vision_.expect(std::span(points_C_).first(2), 0.006);
+  EXPECT_EQ(vision_.observe(frame).points.size(), 2U);
+  vision_.expect({}, 0.006);
+  EXPECT_EQ(vision_.observe(frame).points.size(), points_C_.size());
+}
+
+TEST_F(StereoVisionTest, ExpectationOutOfViewLooksEverywhere) {
+  const std::vector<Eigen::Vector3d> behind{{0.0, 0.0, -1.0}};
+  vision_.expect(behind, 0.006);
+  EXPECT_EQ(vision_.observe(shoot(0)).points.size(), points_C_.size());
+}
+
+TEST_F(StereoVisionTest, ImagesOfAnotherSizeGiveNoMarkers) {
+  camera::StereoFrame frame{
+      camera::GreyImage(4, 3, std::vector<std::uint8_t>(12, 200)), camera::GreyImage(), {}, {}, 9};
+  const auto observation = vision_.observe(frame);
+  EXPECT_EQ(observation.sequence, 9U);
+  EXPECT_TRUE(observation.left.markers.empty());
+  EXPECT_TRUE(observation.points.empty());
+}
+
+TEST_F(StereoVisionTest, StartsAndStopsWithoutAFrame) {
+  for (int i = 0; i < 20; ++i) StereoVision idle(rig_, FinderSettings{}, MatcherSettings{});
+}
+
+}  // namespace
+}  // namespace mirrorarm::vision
