@@ -9,6 +9,7 @@ namespace mirrorarm::cli {
 // One a file: app/cli/command_<name>.cpp. Each adds its subcommand; its callback runs while parsing.
 void addCalibrate(CLI::App& app, Context& context);
 void addDetect(CLI::App& app, Context& context);
+void addDoctor(CLI::App& app, Context& context);
 void addSession(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addTeach(CLI::App& app, Context& context);

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   Context context;
   addCalibrate(app, context);
   addDetect(app, context);
+  addDoctor(app, context);
   addSession(app, context);
   addSimulate(app, context);
   addTeach(app, context);
