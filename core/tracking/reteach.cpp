@@ -16,6 +16,9 @@ std::optional<Target> reteach(const Target& old, std::span<const Eigen::Vector3d
                               const RigidTransform& X_CT_last, const TrackerSettings& settings) {
   SoftassignSettings wide = settings.softassign;
   wide.tolerated_distance_m = kSkinMoves_m;
+  // A smaller beta would forget the last pose, and with it which marker is which.
+  constexpr double kSkinMoves_mm = 1e3 * kSkinMoves_m;
+  wide.beta_start = std::max(wide.beta_start, 0.5 / (kSkinMoves_mm * kSkinMoves_mm));
   const auto found = registerSoftassign(old.markers_T, cloud_C, wide, X_CT_last);
   const double needed = std::max(3.0, settings.min_marker_share * static_cast<double>(old.markers_T.size()));
   if (found.matched < needed || found.rms_m > kSkinMoves_m) return std::nullopt;
