@@ -15,18 +15,33 @@ namespace {
 using therapy::Sample;
 using tracking::TrackStatus;
 
+constexpr std::array<const char*, 4> kNumbers{"time_s", "rms_m", "sigma_t_m", "sigma_r_rad"};
+constexpr std::array<const char*, 2> kCounts{"training", "matched"};
 constexpr std::array<const char*, 4> kPoses{"ct", "bt", "be", "goal"};
 constexpr std::array<const char*, 7> kPoseParts{"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"};
 constexpr std::array<const char*, 3> kJoints{"q_rad", "v_rad_s", "a_rad_s2"};
 constexpr std::array<std::string_view, 3> kStatusNames{"tracked", "predicted", "lost"};
 
-/// ", PREFIXname SUFFIX" for every column of poses and joints.
-std::string columnList(const std::string& prefix, const std::string& pose_suffix = "",
-                       const std::string& joints_suffix = "") {
+/// What follows a column's name, by the column's kind.
+struct Suffixes {
+  const char* number = "";
+  const char* count = "";
+  const char* text = "";
+  const char* pose_part = "";
+};
+
+/// ", PREFIXname SUFFIX" for every column but the keys.
+std::string columnList(const std::string& prefix = "", const Suffixes& suffixes = {}) {
   std::string list;
+  const auto add = [&](const std::string& name, const char* suffix) {
+    list += ", " + prefix + name + suffix;
+  };
+  for (const auto* number : kNumbers) add(number, suffixes.number);
+  for (const auto* count : kCounts) add(count, suffixes.count);
+  add("status", suffixes.text);
   for (const auto* pose : kPoses)
-    for (const auto* part : kPoseParts) list += ", " + prefix + pose + "_" + part + pose_suffix;
-  for (const auto* joints : kJoints) list += ", " + prefix + joints + joints_suffix;
+    for (const auto* part : kPoseParts) add(std::string(pose) + "_" + part, suffixes.pose_part);
+  for (const auto* joints : kJoints) add(joints, suffixes.text);
   return list;
 }
 
@@ -121,15 +136,24 @@ struct SampleRow {
   }
 };
 
-constexpr const char* kPlainColumns = "time_s, rms_m, sigma_t_m, sigma_r_rad, training, matched, status";
+/// Hands every cell, a pose's with its indicator, to `take` in the order of columnList().
+template <class Take>
+void eachCell(SampleRow& row, const Take& take) {
+  for (double* number : {&row.time_s, &row.rms_m, &row.sigma_t_m, &row.sigma_r_rad}) take(*number);
+  take(row.training);
+  take(row.matched);
+  take(row.status);
+  for (auto& pose : row.poses)
+    for (std::size_t i = 0; i < pose.value.size(); ++i) take(pose.value[i], pose.there[i]);
+  for (auto& joints : row.joints) take(joints);
+}
 
 }  // namespace
 
 std::string sampleTable() {
   return "create table sample (id integer primary key autoincrement, "
-         "session_id integer not null references session (id), time_s real not null, rms_m real not null, "
-         "sigma_t_m real not null, sigma_r_rad real not null, training integer not null, matched integer not null, status text not null" +
-         columnList("", " real", " text not null") + ")";
+         "session_id integer not null references session (id)" +
+         columnList("", {" real not null", " integer not null", " text not null", " real"}) + ")";
 }
 
 void insertSamples(soci::session& sql, std::int64_t session, std::span<const Sample> samples) {
@@ -137,20 +161,9 @@ void insertSamples(soci::session& sql, std::int64_t session, std::span<const Sam
   SampleRow row;
   soci::statement insert(sql);
   insert.exchange(soci::use(id));
-  insert.exchange(soci::use(row.time_s));
-  insert.exchange(soci::use(row.rms_m));
-  insert.exchange(soci::use(row.sigma_t_m));
-  insert.exchange(soci::use(row.sigma_r_rad));
-  insert.exchange(soci::use(row.training));
-  insert.exchange(soci::use(row.matched));
-  insert.exchange(soci::use(row.status));
-  for (auto& pose : row.poses)
-    for (std::size_t i = 0; i < pose.value.size(); ++i)
-      insert.exchange(soci::use(pose.value[i], pose.there[i]));
-  for (auto& joints : row.joints) insert.exchange(soci::use(joints));
+  eachCell(row, [&](auto&... cell) { insert.exchange(soci::use(cell...)); });
   insert.alloc();
-  insert.prepare(std::string("insert into sample (session_id, ") + kPlainColumns + columnList("") +
-                 ") values (:session_id, :time_s, :rms_m, :sigma_t_m, :sigma_r_rad, :training, :matched, :status" + columnList(":") +
+  insert.prepare("insert into sample (session_id" + columnList() + ") values (:session_id" + columnList(":") +
                  ")");
   insert.define_and_bind();
   for (const auto& sample : samples) {
@@ -164,19 +177,9 @@ std::vector<Sample> selectSamples(soci::session& sql, std::int64_t session) {
   SampleRow row;
   soci::statement select(sql);
   select.exchange(soci::use(id));
-  select.exchange(soci::into(row.time_s));
-  select.exchange(soci::into(row.rms_m));
-  select.exchange(soci::into(row.sigma_t_m));
-  select.exchange(soci::into(row.sigma_r_rad));
-  select.exchange(soci::into(row.training));
-  select.exchange(soci::into(row.matched));
-  select.exchange(soci::into(row.status));
-  for (auto& pose : row.poses)
-    for (std::size_t i = 0; i < pose.value.size(); ++i)
-      select.exchange(soci::into(pose.value[i], pose.there[i]));
-  for (auto& joints : row.joints) select.exchange(soci::into(joints));
+  eachCell(row, [&](auto&... cell) { select.exchange(soci::into(cell...)); });
   select.alloc();
-  select.prepare(std::string("select ") + kPlainColumns + columnList("") +
+  select.prepare("select " + columnList().substr(2) +
                  " from sample where session_id = :session_id order by id");
   select.define_and_bind();
   select.execute();
