@@ -8,7 +8,6 @@ namespace mirrorarm::simulation {
 namespace {
 
 constexpr double kAngleNoise_rad = 1e-5;
-constexpr double kSpeedNoise_rad_s = 1e-4;
 constexpr Clock::duration kStep = std::chrono::milliseconds(1);
 constexpr Clock::duration kLongestGap = std::chrono::milliseconds(500);
 
@@ -39,10 +38,7 @@ Expected<robot::RobotState, robot::LinkFault> SimulatedRobot::read() noexcept {
   advance(time_.now());
   if (silent_.load(std::memory_order_relaxed)) return unexpected(robot::LinkFault::kNoAnswer);
   robot::RobotState state{drives_.q(), drives_.v(), advanced_to_};
-  for (Eigen::Index i = 0; i < state.q_rad.size(); ++i) {
-    state.q_rad[i] += kAngleNoise_rad * counterNormal(seed_, reading_++);
-    state.v_rad_s[i] += kSpeedNoise_rad_s * counterNormal(seed_, reading_++);
-  }
+  for (double& angle : state.q_rad) angle += kAngleNoise_rad * counterNormal(seed_, reading_++);
   return state;
 }
 

@@ -19,7 +19,8 @@ class SimulatedRobot final : public robot::RobotLink {
   SimulatedRobot(const robot::ArmDescription& arm, const robot::Joints& start, const TimeSource& time,
                  std::uint64_t seed);
 
-  /// Angles as the encoders give them, 1e-5 rad of noise; kNoAnswer while silent.
+  /// Angles as the encoders give them, 1e-5 rad of noise, and speeds as the drives regulate them; kNoAnswer
+  /// while silent.
   [[nodiscard]] Expected<robot::RobotState, robot::LinkFault> read() noexcept override;
   /// kNoAnswer while silent: the robot then brakes by itself, as a controller does that has lost its host.
   /// kDriveFault for a wish that is not finite or has the wrong number of joints, which is ignored.
