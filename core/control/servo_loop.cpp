@@ -106,7 +106,7 @@ struct ServoLoop::Body {
       state.commanded = {guarded.command.q_rad, guarded.command.v_rad_s,
                          (guarded.command.v_rad_s - last.v_rad_s) / period_s};
     state.guard = guarded.action;
-    last = guarded.command;
+    state.sent = last = guarded.command;
     send();
   }
 
@@ -142,6 +142,7 @@ struct ServoLoop::Body {
   /// Not driving: what is commanded is what is.
   void watchOnly() noexcept {
     driven = false;
+    state.sent = {};
     state.commanded = {state.measured.q_rad, state.measured.v_rad_s,
                        Joints::Zero(state.measured.q_rad.size())};
   }

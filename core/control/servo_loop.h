@@ -19,6 +19,7 @@ struct ServoState {
       time{};  ///< the beat that `commanded` stands for: even steps, even where the thread woke unevenly
   robot::RobotState measured;    ///< newest; joints empty before the first reading
   robot::MotionState commanded;  ///< what was measured while the robot is not driven from here
+  robot::Commanded sent;  ///< what went over the wire: whole cycles' speed; empty while not driven from here
   robot::GuardAction guard = robot::GuardAction::kPassed;
   Permit permit = Permit::kHold;
   StopReason stop = StopReason::kNone;  ///< latched reason, kNone while free

@@ -22,6 +22,18 @@ StopReason targetTrouble(const Vitals& vitals, const SupervisorSettings& setting
 
 }  // namespace
 
+std::string_view id(Permit permit) {
+  switch (permit) {
+    case Permit::kMove:
+      return "move";
+    case Permit::kHold:
+      return "hold";
+    case Permit::kStop:
+      return "stop";
+  }
+  return "unknown";
+}
+
 Verdict supervise(const Vitals& vitals, const SupervisorSettings& settings) noexcept {
   if (const auto reason = robotTrouble(vitals, settings); reason != StopReason::kNone)
     return {Permit::kStop, reason};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+
 #include "core/common/time.h"
 #include "core/control/stop_reason.h"
 
@@ -31,6 +34,9 @@ enum class Permit : std::uint8_t {
   kHold,  ///< brake and wait; goes on by itself when the target is back
   kStop,  ///< latched
 };
+
+/// "move", "hold", "stop".
+[[nodiscard]] std::string_view id(Permit permit);
 
 struct Verdict {
   Permit permit = Permit::kMove;

@@ -7,17 +7,26 @@ namespace {
 
 void writeHeader(std::ostream& out, Eigen::Index joints) {
   out << "time_ns,permit,stop,guard";
-  for (const char* group : {"measured_q", "measured_v", "commanded_q", "commanded_v", "commanded_a"})
+  for (const char* group : {"measured_q", "measured_v", "commanded_q", "commanded_v", "commanded_a", "sent_q", "sent_v"})
     for (Eigen::Index joint = 1; joint <= joints; ++joint) out << ',' << group << joint;
   out << '\n';
 }
 
-void writeRow(std::ostream& out, const control::ServoState& state) {
-  out << toNanoseconds(state.time) << ',' << static_cast<int>(state.permit) << ',' << id(state.stop) << ','
+/// A cell a joint, empty where there is nothing to tell.
+void writeJoints(std::ostream& out, const robot::Joints& values, Eigen::Index joints) {
+  for (Eigen::Index joint = 0; joint < joints; ++joint) {
+    out << ',';
+    if (joint < values.size()) out << values[joint];
+  }
+}
+
+void writeRow(std::ostream& out, const control::ServoState& state, Eigen::Index joints) {
+  out << toNanoseconds(state.time) << ',' << id(state.permit) << ',' << id(state.stop) << ','
       << id(state.guard);
   for (const auto* group : {&state.measured.q_rad, &state.measured.v_rad_s, &state.commanded.q_rad,
-                            &state.commanded.v_rad_s, &state.commanded.a_rad_s2})
-    for (const double value : *group) out << ',' << value;
+                            &state.commanded.v_rad_s, &state.commanded.a_rad_s2, &state.sent.q_rad,
+                            &state.sent.v_rad_s})
+    writeJoints(out, *group, joints);
   out << '\n';
 }
 
@@ -26,8 +35,9 @@ void writeRow(std::ostream& out, const control::ServoState& state) {
 Expected<void, std::string> writeBlackBox(const std::filesystem::path& file,
                                           std::span<const control::ServoState> states) {
   return writeWhole(file, [&](std::ostream& out) {
-    writeHeader(out, states.empty() ? 0 : states.front().commanded.q_rad.size());
-    for (const auto& state : states) writeRow(out, state);
+    const Eigen::Index joints = states.empty() ? 0 : states.back().measured.q_rad.size();
+    writeHeader(out, joints);
+    for (const auto& state : states) writeRow(out, state, joints);
   });
 }
 

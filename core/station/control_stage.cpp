@@ -21,7 +21,7 @@ ControlStage::ControlStage(const Equipment& equipment, const StationSettings& se
       recorder_(recorder),
       follower_(equipment.arm, equipment.X_FE, limits,
                 robot::Planner(equipment.arm, equipment.attached, {}, settings.planner), settings.follower),
-      digest_(equipment.arm) {}
+      digest_(equipment.arm, equipment.robot->period()) {}
 
 void ControlStage::report(const FrameReport& report) noexcept {
   if (!reports_.push(report)) lost_reports_.fetch_add(1, std::memory_order_relaxed);

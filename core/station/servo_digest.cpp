@@ -8,8 +8,8 @@ constexpr Seconds kEndTolerance{0.010};
 
 }  // namespace
 
-ServoDigest::ServoDigest(const robot::ArmDescription& arm)
-    : kinematics_(arm), cycles_(std::make_unique<RingLog<control::ServoState, kCycles>>()) {
+ServoDigest::ServoDigest(const robot::ArmDescription& arm, Seconds period)
+    : kinematics_(arm), period_s_(period.count()), cycles_(std::make_unique<RingLog<control::ServoState, kCycles>>()) {
   peaks_ = {robot::Joints::Zero(arm.jointCount()), robot::Joints::Zero(arm.jointCount())};
 }
 
@@ -18,9 +18,14 @@ void ServoDigest::add(const control::ServoState& state) {
   cycles_->add(state);
   if (state.measured.q_rad.size() == kinematics_.jointCount())
     flange_.add(state.measured.measured_at, kinematics_.flange(state.measured.q_rad));
-  if (state.commanded.v_rad_s.size() != peaks_.v_rad_s.size()) return;
-  peaks_.v_rad_s = peaks_.v_rad_s.cwiseMax(state.commanded.v_rad_s.cwiseAbs());
-  peaks_.a_rad_s2 = peaks_.a_rad_s2.cwiseMax(state.commanded.a_rad_s2.cwiseAbs());
+  if (state.sent.v_rad_s.size() == peaks_.v_rad_s.size()) notePeaks(state.sent.v_rad_s);
+  last_sent_v_rad_s_ = state.sent.v_rad_s;
+}
+
+void ServoDigest::notePeaks(const robot::Joints& v_rad_s) {
+  peaks_.v_rad_s = peaks_.v_rad_s.cwiseMax(v_rad_s.cwiseAbs());
+  if (last_sent_v_rad_s_.size() != v_rad_s.size()) return;
+  peaks_.a_rad_s2 = peaks_.a_rad_s2.cwiseMax((v_rad_s - last_sent_v_rad_s_).cwiseAbs() / period_s_);
 }
 
 std::optional<RigidTransform> ServoDigest::flangeAt(TimePoint time) const { return flange_.at(time, kEndTolerance); }

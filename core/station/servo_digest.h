@@ -15,7 +15,8 @@ namespace mirrorarm::station {
 /// hard it was driven, and the black box. Control thread only.
 class ServoDigest {
  public:
-  explicit ServoDigest(const robot::ArmDescription& arm);
+  /// `period` is the time that one command takes on the wire.
+  ServoDigest(const robot::ArmDescription& arm, Seconds period);
 
   void add(const control::ServoState& state);
 
@@ -26,7 +27,7 @@ class ServoDigest {
   /// The measured joints of the last cycle not after `time`; the oldest kept where there is none.
   [[nodiscard]] robot::Joints jointsAt(TimePoint time) const;
 
-  /// Largest commanded speed and acceleration of each joint since the last take.
+  /// Largest speed and acceleration of each joint that went over the wire since the last take.
   struct Peaks {
     robot::Joints v_rad_s;
     robot::Joints a_rad_s2;
@@ -37,11 +38,14 @@ class ServoDigest {
   [[nodiscard]] std::shared_ptr<const std::vector<control::ServoState>> blackBox() const;
 
  private:
+  void notePeaks(const robot::Joints& v_rad_s);
   static constexpr std::size_t kCycles = 2048;  ///< 10 s at 200 Hz
   robot::Kinematics kinematics_;
+  const double period_s_;
   PoseHistory flange_;
   std::unique_ptr<RingLog<control::ServoState, kCycles>> cycles_;
   std::optional<control::ServoState> newest_;
+  robot::Joints last_sent_v_rad_s_;  ///< empty while the robot was not driven
   Peaks peaks_;
 };
 

@@ -22,8 +22,8 @@ struct Sample {
   RigidTransform X_BE = RigidTransform::Identity();       ///< end effector, measured
   RigidTransform X_BE_goal = RigidTransform::Identity();  ///< where it belonged; good while training
   robot::Joints q_rad;                                    ///< measured
-  robot::Joints v_rad_s;   ///< largest commanded of each joint since the sample before
-  robot::Joints a_rad_s2;  ///< largest commanded of each joint since the sample before
+  robot::Joints v_rad_s;   ///< largest that went to the robot since the sample before
+  robot::Joints a_rad_s2;  ///< largest that went to the robot since the sample before
 };
 
 /// What a session comes to. Figures of movement are taken from the training samples alone.
