@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kRoughSteps = 32;
 constexpr int kMostSteps = 8192;
-constexpr double kStep_px = 0.5;
+constexpr double kStep_px = 0.75;
 
 }  // namespace
 

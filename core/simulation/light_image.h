@@ -20,7 +20,7 @@ struct PixelBox {
 ///
 /// A patch is rendered exactly through the lens: by Green's theorem the light in a pixel is an integral
 /// around the patch's projected outline, whose integrand is smooth once the point spread is in it, so that
-/// even steps of half a pixel integrate it to rounding. No supersampling, no pinhole or ellipse
+/// even steps of 0.75 pixels integrate it to 1e-8. No supersampling, no pinhole or ellipse
 /// approximation.
 class LightImage {
  public:
