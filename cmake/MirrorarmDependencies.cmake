@@ -29,6 +29,10 @@ endfunction()
 mirrorarm_found_library(deps_kdl_parser LIBRARIES kdl_parser INCLUDE kdl_parser/kdl_parser.hpp)
 mirrorarm_found_library(deps_ompl LIBRARIES ompl INCLUDE ompl/config.h SUFFIX ompl-1.5)
 mirrorarm_found_library(deps_soci LIBRARIES soci_core soci_sqlite3 INCLUDE soci/soci.h)
+if(MIRRORARM_SANITIZE)
+  # The vptr check needs type information that SOCI's libraries do not export.
+  target_compile_options(deps_soci INTERFACE -fno-sanitize=vptr)
+endif()
 mirrorarm_found_library(deps_visp LIBRARIES visp_vision visp_core INCLUDE visp3/vision/vpHandEyeCalibration.h)
 
 # VTK's Qt module decides which Qt: two majors in one process do not go together.
