@@ -90,6 +90,9 @@ void ThresholdMap::estimate(const Brightness& image, const Region& region) {
     for (int column = 0; column < columns_; ++column) measureTile(image, column, row);
   smooth(background_, scratch_, columns_, rows_);
   smooth(noise_, scratch_, columns_, rows_);
+  threshold_.resize(background_.size());
+  for (std::size_t tile = 0; tile < threshold_.size(); ++tile)
+    threshold_[tile] = background_[tile] + std::max(kLeastContrast, kNoisesAbove * noise_[tile]);
 }
 
 void ThresholdMap::measureTile(const Brightness& image, int column, int row) {
@@ -104,11 +107,14 @@ void ThresholdMap::measureTile(const Brightness& image, int column, int row) {
   const int step = large ? 4 : 1;
   Levels levels;
   Levels steps;
-  for (int y = top; y <= bottom; y += step)
+  for (int y = top; y <= bottom; y += step) {
+    const std::uint8_t* row_pixels = image.image.row(y);
     for (int x = left; x < right; x += step) {
-      levels.add(image.at(x, y));
-      steps.add(static_cast<std::uint8_t>(std::abs(image.at(x + 1, y) - image.at(x, y))));
+      const int value = row_pixels[x];
+      levels.add(static_cast<std::uint8_t>(value ^ image.flip));
+      steps.add(static_cast<std::uint8_t>(std::abs(row_pixels[x + 1] - value)));
     }
+  }
   if (levels.empty()) levels.add(image.at(left, top));
   const double at_background = levels.level(kBackgroundQuantile);
   const double sigma = std::max((at_background - levels.level(kLowQuantile)) / kSigmasBetween,
@@ -118,15 +124,12 @@ void ThresholdMap::measureTile(const Brightness& image, int column, int row) {
   background_[tile] = static_cast<float>(at_background + kSigmasToMedian * sigma);
 }
 
-float ThresholdMap::threshold(int column, int row) const {
-  const auto tile = static_cast<std::size_t>(row * columns_ + column);
-  return background_[tile] + std::max(kLeastContrast, kNoisesAbove * noise_[tile]);
-}
-
 void ThresholdMap::thresholds(int y, std::span<std::uint8_t> row) const {
   const auto vertical = between(y - region_.top, rows_);
+  const float* above = threshold_.data() + vertical.tile * columns_;
+  const float* below = threshold_.data() + vertical.next * columns_;
   const auto at = [&](int column) {
-    return std::lerp(threshold(column, vertical.tile), threshold(column, vertical.next), vertical.share);
+    return above[column] + vertical.share * (below[column] - above[column]);
   };
   const auto clipped = [](float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F)); };
   const int width = static_cast<int>(row.size());

@@ -28,13 +28,13 @@ class ThresholdMap {
  private:
   void measureTile(const Brightness& image, int column, int row);
   [[nodiscard]] float nearest(const std::vector<float>& map, double x, double y) const;
-  [[nodiscard]] float threshold(int column, int row) const;
 
   Region region_;
   int columns_ = 0;
   int rows_ = 0;
   std::vector<float> background_;
   std::vector<float> noise_;
+  std::vector<float> threshold_;
   std::vector<float> scratch_;
 };
 
