@@ -1,0 +1,176 @@
+#include "tests/ui/fake_bench.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/camera/rig_file.h"
+#include "core/robot/kinematics.h"
+#include "core/robot/motion_limits.h"
+#include "core/robot/urdf.h"
+
+namespace mirrorarm::ui::test {
+namespace {
+
+const Eigen::Vector3d kTargetInCamera(0.06, 0.0, 0.40);
+
+/// Ten places on the half of a forearm that looks to the cameras.
+std::vector<Eigen::Vector3d> sleeve() {
+  std::vector<Eigen::Vector3d> markers;
+  for (int i = 0; i < 10; ++i) {
+    const double angle = (i % 3 - 1) * 0.7 + 0.1 * (i % 4);
+    markers.emplace_back(-0.1 + 0.022 * i, 0.045 * std::sin(angle), 0.045 * (0.9 - std::cos(angle)));
+  }
+  return markers;
+}
+
+robot::Joints restingJoints() {
+  robot::Joints q(7);
+  q << 0.0, -0.482, 0.0, 1.449, 0.0, -1.211, 0.0;
+  return q;
+}
+
+RigidTransform cameraOnFlange() {
+  Eigen::Matrix3d R;
+  R << -1.0, 0.0, 0.0, 0.0, -0.259, 0.966, 0.0, 0.966, 0.259;
+  return makeTransform(Eigen::Quaterniond(R), {0.06, 0.08, 0.03});
+}
+
+vision::DetectedMarker detected(const Eigen::Vector2d& pixel) {
+  vision::DetectedMarker marker;
+  marker.centre_px = pixel;
+  marker.ellipse = {pixel, 6.0, 5.0, 0.3};
+  return marker;
+}
+
+/// A dark image with a bright square at every marker.
+camera::GreyImage picture(const camera::Intrinsics& camera,
+                          const std::vector<vision::DetectedMarker>& markers) {
+  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(camera.width_px) * camera.height_px, 14);
+  for (const auto& marker : markers)
+    for (int dy = -5; dy <= 5; ++dy)
+      for (int dx = -5; dx <= 5; ++dx) {
+        const int x = std::clamp(static_cast<int>(marker.centre_px.x()) + dx, 0, camera.width_px - 1);
+        const int y = std::clamp(static_cast<int>(marker.centre_px.y()) + dy, 0, camera.height_px - 1);
+        pixels[static_cast<std::size_t>(y) * camera.width_px + x] = 230;
+      }
+  return {camera.width_px, camera.height_px, std::move(pixels)};
+}
+
+void see(const camera::StereoRig& rig, const std::vector<Eigen::Vector3d>& points_C,
+         station::TrackedFrame& frame) {
+  for (const auto& p_C : points_C) {
+    const auto left = rig.left.project(p_C);
+    const auto right = rig.right.project(rig.X_RC * p_C);
+    if (!left || !right) continue;
+    vision::StereoPoint point;
+    point.p_C = p_C;
+    point.left = point.right = static_cast<int>(frame.observation.points.size());
+    frame.observation.points.push_back(point);
+    frame.observation.left.markers.push_back(detected(*left));
+    frame.observation.right.markers.push_back(detected(*right));
+  }
+  frame.frame.left = picture(rig.left.intrinsics(), frame.observation.left.markers);
+  frame.frame.right = picture(rig.right.intrinsics(), frame.observation.right.markers);
+  frame.vision_ms = 8.4;
+}
+
+tracking::TrackedTarget tracked(int markers) {
+  tracking::TrackedTarget target;
+  target.status = tracking::TrackStatus::kTracked;
+  target.reason = tracking::LostReason::kNone;
+  target.X_CT.translation() = kTargetInCamera;
+  target.rms_m = 0.00012;
+  target.marker_count = target.matched_count = markers;
+  for (int i = 0; i < markers; ++i)
+    target.point_of_marker[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(i);
+  return target;
+}
+
+}  // namespace
+
+Workplace benchWorkplace() {
+  const std::filesystem::path resources = RESOURCES;
+  auto arm = robot::readUrdf(resources / "robots/lbr4plus.urdf");
+  auto rig = camera::readRig(resources / "rigs/pinhole.yaml");
+  if (!arm || !rig) throw std::runtime_error("the bench's own files cannot be read");
+  Workplace workplace;
+  workplace.limits = robot::limitsOf("therapy", *arm).value();
+  workplace.arm = std::move(*arm);
+  workplace.rig = std::move(*rig);
+  workplace.X_FC = cameraOnFlange();
+  workplace.X_FE.translation().z() = 0.135;
+  workplace.simulated = true;
+  return workplace;
+}
+
+FakeStation::FakeStation(const Workplace& workplace) : frame_(std::make_shared<station::TrackedFrame>()) {
+  tracking::Target target;
+  target.name = "forearm";
+  target.markers_T = sleeve();
+  std::vector<Eigen::Vector3d> points_C;
+  for (const auto& marker : target.markers_T) points_C.push_back(kTargetInCamera + marker);
+  see(workplace.rig, points_C, *frame_);
+  target_ = std::make_shared<tracking::Target>(std::move(target));
+  auto& servo = shown.control.servo;
+  servo.measured.q_rad = restingJoints();
+  servo.measured.v_rad_s = servo.commanded.v_rad_s = robot::Joints::Zero(7);
+  shown.control.X_BF = robot::Kinematics(workplace.arm).flange(restingJoints());
+  shown.control.X_BT = shown.control.X_BF * workplace.X_FC;
+  shown.control.X_BT = shown.control.X_BT * Eigen::Translation3d(kTargetInCamera);
+  shown.frame = frame_;
+}
+
+station::Answer FakeStation::request(const station::Command& command) {
+  ++requests;
+  last_command = command;
+  if (answer != station::Answer::kAccepted) return answer;
+  const auto next = therapy::after(shown.control.phase, command.action);
+  ++shown.control.answers;
+  shown.control.last_answer = next ? station::Answer::kAccepted : station::Answer::kNotNow;
+  if (next) enter(*next);
+  return answer;
+}
+
+void FakeStation::stop(control::StopReason reason) noexcept {
+  ++stops;
+  shown.control.servo.stop = reason;
+  if (shown.control.phase == therapy::Phase::kTraining) shown.control.phase = therapy::Phase::kPaused;
+}
+
+void FakeStation::resetStop() noexcept {
+  ++resets;
+  shown.control.servo.stop = control::StopReason::kNone;
+}
+
+void FakeStation::enter(therapy::Phase phase) {
+  shown.control.phase = phase;
+  const bool taught = phase != therapy::Phase::kPrepare && phase != therapy::Phase::kTeaching;
+  auto next = std::make_shared<station::TrackedFrame>(*frame_);
+  next->target = taught ? target_ : nullptr;
+  next->targets.clear();
+  if (taught) next->targets.push_back(tracked(static_cast<int>(target_->markers_T.size())));
+  frame_ = std::move(next);
+  shown.frame = frame_;
+  shown.control.target_fresh = taught;
+  shown.record.session = phase >= therapy::Phase::kTraining ? 1 : 0;
+  shown.record.recording =
+      phase == therapy::Phase::kFinished ? station::Recording::kComplete : station::Recording::kIdle;
+}
+
+void FakeStation::stamp() {
+  const TimePoint now = Clock::now();
+  auto next = std::make_shared<station::TrackedFrame>(*frame_);
+  next->frame.exposed_at = now - std::chrono::milliseconds(30);
+  for (auto& target : next->targets) target.exposed_at = next->frame.exposed_at;
+  frame_ = std::move(next);
+  shown.frame = frame_;
+  shown.control.time = now;
+  shown.control.servo.time = shown.control.servo.measured.measured_at = now;
+}
+
+station::Snapshot FakeStation::snapshot() {
+  if (!frozen) stamp();
+  return shown;
+}
+
+}  // namespace mirrorarm::ui::test

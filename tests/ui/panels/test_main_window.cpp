@@ -1,0 +1,181 @@
+#include <QAbstractButton>
+#include <QDir>
+#include <QImage>
+#include <QSet>
+#include <QtTest>
+#include <gtest/gtest.h>
+
+#include "tests/ui/fake_bench.h"
+#include "ui/panels/main_window.h"
+#include "ui/panels/stop_button.h"
+#include "ui/views/scene_view.h"
+
+namespace mirrorarm::ui {
+namespace {
+
+using therapy::Phase;
+
+const std::vector<Phase> kPhases{Phase::kPrepare,  Phase::kTeaching, Phase::kTaught,  Phase::kAligned,
+                                 Phase::kTraining, Phase::kPaused,   Phase::kFinished};
+
+class Window : public ::testing::Test {
+ protected:
+  Window() {
+    window_.resize(1366, 768);
+    window_.show();
+    beat();
+  }
+  void beat() { window_.feed().take(); }
+  void enter(Phase phase) {
+    station_.enter(phase);
+    beat();
+    QCoreApplication::processEvents();
+  }
+  template <class W = QAbstractButton>
+  W* find(const char* name) {
+    return window_.findChild<W*>(QLatin1String(name));
+  }
+  QImage picture() { return window_.grab().toImage(); }
+  /// MIRRORARM_PICTURES names a folder where a person can look at what the tests saw.
+  void keep(const QString& name) {
+    const auto folder = qEnvironmentVariable("MIRRORARM_PICTURES");
+    if (!folder.isEmpty()) picture().save(QDir(folder).filePath(name));
+  }
+
+  Workplace workplace_ = test::benchWorkplace();
+  test::FakeStation station_{workplace_};
+  MainWindow window_{station_, workplace_, Themes::read(std::filesystem::path(RESOURCES) / "style").value(),
+                     [](std::int64_t) -> Expected<ReportJob::Draw, QString> {
+                       return unexpected(QStringLiteral("there is no store"));
+                     }};
+};
+
+TEST_F(Window, StopReachesTheStationWhilePressedInEveryPhase) {
+  auto* stop = find<StopButton>("stopButton");
+  ASSERT_NE(stop, nullptr);
+  const QPoint place = stop->mapTo(&window_, QPoint());
+  int stops = 0;
+  for (const auto phase : kPhases) {
+    enter(phase);
+    EXPECT_TRUE(stop->isEnabled());
+    EXPECT_TRUE(stop->isVisible());
+    EXPECT_EQ(stop->mapTo(&window_, QPoint()), place) << "always in the same place";
+    EXPECT_GE(stop->height(), 64);
+    QTest::mousePress(stop, Qt::LeftButton);
+    EXPECT_EQ(station_.stops, ++stops) << "on pressing down, before it is let go";
+    QTest::mouseRelease(stop, Qt::LeftButton);
+    EXPECT_EQ(station_.stops, stops);
+    station_.resetStop();
+  }
+}
+
+TEST_F(Window, TheEscapeKeyStopsWhereverTheFocusIs) {
+  int stops = 0;
+  for (const char* name : {"sceneView", "stereoImageView", "logLines", "themeButton"}) {
+    auto* widget = find<QWidget>(name);
+    ASSERT_NE(widget, nullptr) << name;
+    widget->setFocus();
+    QTest::keyClick(widget, Qt::Key_Escape);
+    EXPECT_GT(station_.stops, stops) << name;
+    stops = station_.stops;
+  }
+}
+
+TEST_F(Window, ALatchedStopOffersItsResetAndNothingThatMoves) {
+  enter(Phase::kTraining);
+  QTest::mouseClick(find("stopButton"), Qt::LeftButton);
+  beat();
+  EXPECT_TRUE(find("resetStopButton")->isVisible());
+  EXPECT_FALSE(find("startButton")->isVisible());
+  EXPECT_TRUE(find("stopButton")->isEnabled());
+  keep(QStringLiteral("stopped.png"));
+  find("resetStopButton")->click();
+  EXPECT_EQ(station_.resets, 1);
+  beat();
+  EXPECT_EQ(station_.shown.control.phase, Phase::kPaused);
+  EXPECT_TRUE(find("startButton")->isVisible());
+}
+
+TEST_F(Window, TheButtonsLeadThroughASession) {
+  for (const char* name :
+       {"teachButton", "keepMarkersButton", "alignButton", "startButton", "pauseButton", "finishButton"}) {
+    auto* button = find(name);
+    ASSERT_NE(button, nullptr) << name;
+    ASSERT_TRUE(button->isVisible()) << name;
+    ASSERT_TRUE(button->isEnabled()) << name;
+    keep(QString::fromLatin1(name) + QStringLiteral(".png"));
+    button->click();
+    beat();
+    QCoreApplication::processEvents();
+  }
+  EXPECT_EQ(station_.shown.control.phase, Phase::kFinished);
+  EXPECT_TRUE(find("makeReportButton")->isVisible());
+}
+
+TEST_F(Window, AFailedReportSaysWhy) {
+  enter(Phase::kFinished);
+  find("makeReportButton")->click();
+  auto* result = find<QLabel>("reportResult");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return result->text().contains(QStringLiteral("no store")); }, 5000));
+  EXPECT_FALSE(find("openReportButton")->isVisible());
+}
+
+TEST_F(Window, EverythingThatCanBeOperatedHasANameAndAKey) {
+  QSet<QString> names, keys;
+  for (const auto* button : window_.findChildren<QAbstractButton*>()) {
+    EXPECT_FALSE(button->objectName().isEmpty()) << button->text().toStdString();
+    EXPECT_FALSE(button->accessibleName().isEmpty()) << button->objectName().toStdString();
+    EXPECT_FALSE(names.contains(button->objectName())) << button->objectName().toStdString();
+    names.insert(button->objectName());
+    if (button->objectName() == QStringLiteral("stopButton")) continue;  // Esc, by its own filter
+    const QString key = button->shortcut().toString();
+    EXPECT_FALSE(key.isEmpty()) << button->objectName().toStdString();
+    EXPECT_FALSE(keys.contains(key)) << key.toStdString();
+    keys.insert(key);
+  }
+}
+
+TEST_F(Window, NothingIsCutOffOnASmallScreen) {
+  for (const auto phase : kPhases) {
+    enter(phase);
+    EXPECT_EQ(window_.size(), QSize(1366, 768)) << "the content needs more than the screen has";
+    for (const auto* label : window_.findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->wordWrap()) continue;
+      EXPECT_LE(label->sizeHint().width(), label->width() + 1) << label->text().toStdString();
+    }
+  }
+}
+
+TEST_F(Window, TheSceneIsDrawn) {
+  enter(Phase::kTraining);
+  const auto* scene = find<SceneView>("sceneView");
+  const QImage drawn = picture().copy(QRect(scene->mapTo(&window_, QPoint()), scene->size()));
+  QSet<QRgb> colours;
+  for (int y = 0; y < drawn.height(); y += 3)
+    for (int x = 0; x < drawn.width(); x += 3) colours.insert(drawn.pixel(x, y));
+  EXPECT_GT(colours.size(), 300) << "shaded bodies before a gradient";
+}
+
+TEST_F(Window, TheSimulationMarkIsPermanent) {
+  for (const auto phase : kPhases) {
+    enter(phase);
+    ASSERT_NE(find<QLabel>("simulationMark"), nullptr);
+    EXPECT_TRUE(find<QLabel>("simulationMark")->isVisible());
+  }
+}
+
+TEST_F(Window, TheImagesCanBeEnlargedAndPutBack) {
+  enter(Phase::kTraining);
+  auto* images = find<QWidget>("stereoImageView");
+  const int small = images->height();
+  QTest::mouseClick(images, Qt::LeftButton);
+  QCoreApplication::processEvents();
+  EXPECT_GT(images->height(), 2 * small);
+  keep(QStringLiteral("images.png"));
+  find("imagesButton")->click();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(images->height(), small);
+}
+
+}  // namespace
+}  // namespace mirrorarm::ui

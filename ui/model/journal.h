@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "core/station/snapshot.h"
+#include "ui/model/log_model.h"
+
+namespace mirrorarm::ui {
+
+/// Compares each snapshot with the one before and writes what changed into the log.
+class Journal {
+ public:
+  /// `log` outlives the journal.
+  explicit Journal(LogModel& log) : log_(log) {}
+  void show(const station::Snapshot& snapshot);
+
+ private:
+  struct Seen {
+    therapy::Phase phase;
+    control::StopReason stop;
+    station::Recording recording;
+    std::uint32_t answers;
+    int reteachings;
+  };
+  void compare(const Seen& before, const Seen& now, station::Answer answer);
+
+  LogModel& log_;
+  std::optional<Seen> before_;
+};
+
+}  // namespace mirrorarm::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "core/common/time.h"
+#include "core/station/snapshot.h"
+
+namespace mirrorarm::ui {
+
+/// A status that is told by shape and word, never by colour alone.
+enum class Light { kOff, kGood, kWaiting, kBad };
+
+/// What the tracking figures are right now. One value, compared and drawn whole; figures change a few times a
+/// second so that they can be read, the light at once.
+struct TrackingState {
+  Light light = Light::kOff;
+  QString status;   ///< one word or two: "Tracked", "Lost", "Not taught"
+  QString detail;   ///< why; may be empty
+  QString markers;  ///< found of taught
+  QString misfit;   ///< rms of the rigid fit
+  QString age;      ///< of the newest pose
+  QString vision;   ///< computing time of a frame
+  QString lost_frames;
+  QString accessible;  ///< the whole in one sentence
+  bool operator==(const TrackingState&) const = default;
+};
+
+/// Says how well the healthy arm is seen.
+class TrackingPresenter : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  void show(const station::Snapshot& snapshot, TimePoint now);
+  [[nodiscard]] const TrackingState& state() const { return state_; }
+
+ signals:
+  void stateChanged(const mirrorarm::ui::TrackingState& state);
+
+ private:
+  TrackingState state_;
+  TimePoint figures_at_{};
+};
+
+}  // namespace mirrorarm::ui

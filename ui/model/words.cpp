@@ -1,0 +1,204 @@
+#include "ui/model/words.h"
+
+#include <QCoreApplication>
+
+namespace mirrorarm::ui {
+namespace {
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Words)
+};
+}  // namespace
+
+QString words(control::StopReason reason) {
+  switch (reason) {
+    case control::StopReason::kNone:
+      return Words::tr("Not stopped");
+    case control::StopReason::kOperator:
+      return Words::tr("STOP was pressed");
+    case control::StopReason::kCameraSilent:
+      return Words::tr("The cameras deliver no images");
+    case control::StopReason::kTargetLost:
+      return Words::tr("The arm target was lost");
+    case control::StopReason::kRobotSilent:
+      return Words::tr("The robot does not answer");
+    case control::StopReason::kRobotFault:
+      return Words::tr("The robot reports a fault");
+    case control::StopReason::kServoLate:
+      return Words::tr("The motion loop missed its beat");
+    case control::StopReason::kFollowingError:
+      return Words::tr("The robot is not where it was told to be");
+    case control::StopReason::kInternal:
+      return Words::tr("An internal error ended the motion");
+  }
+  return {};
+}
+
+QString advice(control::StopReason reason) {
+  switch (reason) {
+    case control::StopReason::kNone:
+      return {};
+    case control::StopReason::kOperator:
+      return Words::tr("Make sure that the patient is well. Then reset the stop; nothing moves by that.");
+    case control::StopReason::kCameraSilent:
+      return Words::tr("Check the camera cables and power, then reset the stop.");
+    case control::StopReason::kTargetLost:
+      return Words::tr("Bring the markers of the healthy arm back into view, then reset the stop.");
+    case control::StopReason::kRobotSilent:
+    case control::StopReason::kRobotFault:
+      return Words::tr("Look at the robot controller and clear its fault, then reset the stop.");
+    case control::StopReason::kFollowingError:
+      return Words::tr("Make sure that nothing holds the robot, then reset the stop.");
+    case control::StopReason::kServoLate:
+    case control::StopReason::kInternal:
+      return Words::tr("Close other programs. If it comes again, call the engineer.");
+  }
+  return {};
+}
+
+QString words(control::FollowOutcome outcome) {
+  switch (outcome) {
+    case control::FollowOutcome::kDirect:
+      return Words::tr("Direct way");
+    case control::FollowOutcome::kPlanned:
+      return Words::tr("Planned detour");
+    case control::FollowOutcome::kHeld:
+      return Words::tr("Holding");
+    case control::FollowOutcome::kOutOfReach:
+      return Words::tr("Goal out of reach");
+    case control::FollowOutcome::kBlocked:
+      return Words::tr("Way is blocked");
+    case control::FollowOutcome::kJointRange:
+      return Words::tr("Joint step too large");
+  }
+  return {};
+}
+
+QString words(robot::GuardAction action) {
+  switch (action) {
+    case robot::GuardAction::kPassed:
+      return Words::tr("Within limits");
+    case robot::GuardAction::kNotFinite:
+      return Words::tr("Braked: invalid command");
+    case robot::GuardAction::kPosition:
+      return Words::tr("Joint range");
+    case robot::GuardAction::kSpeed:
+      return Words::tr("Joint speed");
+    case robot::GuardAction::kAcceleration:
+      return Words::tr("Joint acceleration");
+    case robot::GuardAction::kToolSpeed:
+      return Words::tr("Tool speed");
+  }
+  return {};
+}
+
+QString words(station::Answer answer) {
+  switch (answer) {
+    case station::Answer::kAccepted:
+      return Words::tr("Accepted");
+    case station::Answer::kNotNow:
+      return Words::tr("Not possible in this step");
+    case station::Answer::kStopLatched:
+      return Words::tr("Reset the stop first");
+    case station::Answer::kTargetUnseen:
+      return Words::tr("The arm target is not in view");
+    case station::Answer::kTooFewMarkers:
+      return Words::tr("At least three markers that are not on one line must be seen");
+    case station::Answer::kQueueFull:
+      return Words::tr("The station is busy. Ask again");
+  }
+  return {};
+}
+
+QString words(station::Recording recording) {
+  switch (recording) {
+    case station::Recording::kIdle:
+      return Words::tr("Not recording");
+    case station::Recording::kWriting:
+      return Words::tr("Recording");
+    case station::Recording::kComplete:
+      return Words::tr("Recorded");
+    case station::Recording::kFailed:
+      return Words::tr("Recording failed");
+  }
+  return {};
+}
+
+QString words(therapy::Mapping mapping) {
+  switch (mapping) {
+    case therapy::Mapping::kFollow:
+      return Words::tr("Parallel");
+    case therapy::Mapping::kMirror:
+      return Words::tr("Mirrored");
+  }
+  return {};
+}
+
+QString words(therapy::Phase phase) {
+  switch (phase) {
+    case therapy::Phase::kPrepare:
+      return Words::tr("Preparing");
+    case therapy::Phase::kTeaching:
+      return Words::tr("Teaching");
+    case therapy::Phase::kTaught:
+      return Words::tr("Target taught");
+    case therapy::Phase::kAligned:
+      return Words::tr("Aligned");
+    case therapy::Phase::kTraining:
+      return Words::tr("Training");
+    case therapy::Phase::kPaused:
+      return Words::tr("Paused");
+    case therapy::Phase::kFinished:
+      return Words::tr("Finished");
+  }
+  return {};
+}
+
+QString words(therapy::Action action) {
+  switch (action) {
+    case therapy::Action::kTeach:
+      return Words::tr("Teach markers");
+    case therapy::Action::kFinishTeaching:
+      return Words::tr("Keep these markers");
+    case therapy::Action::kAlign:
+      return Words::tr("Align");
+    case therapy::Action::kStart:
+      return Words::tr("Start training");
+    case therapy::Action::kPause:
+      return Words::tr("Pause");
+    case therapy::Action::kFinish:
+      return Words::tr("Finish session");
+    case therapy::Action::kNewSession:
+      return Words::tr("New session");
+  }
+  return {};
+}
+
+QString words(tracking::TrackStatus status) {
+  switch (status) {
+    case tracking::TrackStatus::kTracked:
+      return Words::tr("Tracked");
+    case tracking::TrackStatus::kPredicted:
+      return Words::tr("Predicted");
+    case tracking::TrackStatus::kLost:
+      return Words::tr("Lost");
+  }
+  return {};
+}
+
+QString words(tracking::LostReason reason) {
+  switch (reason) {
+    case tracking::LostReason::kNone:
+      return {};
+    case tracking::LostReason::kNoPoints:
+      return Words::tr("no markers in view");
+    case tracking::LostReason::kTooFewMarkers:
+      return Words::tr("too few markers in view");
+    case tracking::LostReason::kBadFit:
+      return Words::tr("markers do not fit the model");
+    case tracking::LostReason::kNotConverged:
+      return Words::tr("pose not found");
+  }
+  return {};
+}
+
+}  // namespace mirrorarm::ui

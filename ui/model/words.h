@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+
+#include "core/control/follower.h"
+#include "core/control/stop_reason.h"
+#include "core/robot/motion_guard.h"
+#include "core/station/command.h"
+#include "core/station/snapshot.h"
+#include "core/therapy/movement_mapping.h"
+#include "core/therapy/session_phase.h"
+#include "core/tracking/tracked_target.h"
+
+namespace mirrorarm::ui {
+
+// The words that people read for the values that core names by ids. Translated; whole phrases, no full stop.
+
+[[nodiscard]] QString words(control::StopReason reason);
+[[nodiscard]] QString words(control::FollowOutcome outcome);
+[[nodiscard]] QString words(robot::GuardAction action);
+[[nodiscard]] QString words(station::Answer answer);
+[[nodiscard]] QString words(station::Recording recording);
+[[nodiscard]] QString words(therapy::Mapping mapping);
+[[nodiscard]] QString words(therapy::Phase phase);
+[[nodiscard]] QString words(therapy::Action action);
+[[nodiscard]] QString words(tracking::TrackStatus status);
+[[nodiscard]] QString words(tracking::LostReason reason);
+
+/// What the operator should do about a stop, one sentence.
+[[nodiscard]] QString advice(control::StopReason reason);
+
+}  // namespace mirrorarm::ui

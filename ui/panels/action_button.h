@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QPushButton>
+
+namespace mirrorarm::ui {
+
+/// A button that shows its key, so that nobody has to look it up.
+class ActionButton : public QPushButton {
+  Q_OBJECT
+ public:
+  ActionButton(const QString& objectName, const QString& text, const QKeySequence& key,
+               QWidget* parent = nullptr);
+
+  /// The one thing to press in a step: large and in the accent colour.
+  void setPrimary(bool primary);
+
+  [[nodiscard]] QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString key_text_;
+};
+
+}  // namespace mirrorarm::ui

@@ -1,0 +1,53 @@
+#include "ui/panels/robot_panel.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+#include "ui/panels/joint_bars.h"
+#include "ui/panels/text.h"
+
+namespace mirrorarm::ui {
+
+RobotPanel::RobotPanel(QWidget* parent)
+    : QWidget(parent),
+      motion_(makeText("status")),
+      joints_(new JointBars),
+      tool_speed_(new Figure(tr("Tool speed"))),
+      lag_(new Figure(tr("Delay"))),
+      way_(new Figure(tr("Last goal"))),
+      guard_(new Figure(tr("Limit met"))) {
+  setObjectName(QStringLiteral("robotPanel"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* card = makeCard(QStringLiteral("robotCard"));
+  column->addWidget(card);
+  auto* inside = static_cast<QVBoxLayout*>(card->layout());
+  auto* top = new QHBoxLayout;
+  top->addWidget(makeText("heading", tr("Robot")));
+  top->addStretch();
+  top->addWidget(motion_);
+  inside->addLayout(top);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->addWidget(tool_speed_, 0, 0);
+  grid->addWidget(lag_, 0, 1);
+  grid->addWidget(way_, 1, 0);
+  grid->addWidget(guard_, 1, 1);
+  for (int i = 0; i < 2; ++i) grid->setColumnStretch(i, 1);
+  inside->addLayout(grid);
+  inside->addWidget(joints_);
+}
+
+void RobotPanel::setTheme(const Theme& theme) { joints_->setTheme(theme); }
+
+void RobotPanel::show(const RobotFigures& figures) {
+  motion_->setText(figures.motion);
+  joints_->setJoints(figures.joints);
+  tool_speed_->setValue(tr("%1 mm/s").arg(figures.tool_speed_m_s * 1e3, 0, 'f', 0));
+  lag_->setValue(figures.lag);
+  way_->setValue(figures.way);
+  guard_->setValue(figures.guard);
+}
+
+}  // namespace mirrorarm::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QLabel>
+
+#include "ui/model/robot_presenter.h"
+#include "ui/views/theme.h"
+
+namespace mirrorarm::ui {
+
+class Figure;
+class JointBars;
+
+/// What the robot does, against what it may do.
+class RobotPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RobotPanel(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  void show(const RobotFigures& figures);
+  using QWidget::show;
+
+ private:
+  QLabel* motion_;
+  JointBars* joints_;
+  Figure* tool_speed_;
+  Figure* lag_;
+  Figure* way_;
+  Figure* guard_;
+};
+
+}  // namespace mirrorarm::ui
