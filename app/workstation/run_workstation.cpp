@@ -76,7 +76,7 @@ void instructPatient(ui::SessionPresenter& session, simulation::Bench& bench) {
 }
 
 int runWindow(ui::MainWindow& window, const WorkstationOrder& order) {
-  window.resize(order.width_px, order.height_px);
+  window.resize(order.size_px[0], order.size_px[1]);
   window.setDark(order.dark);
   window.show();
   window.start();

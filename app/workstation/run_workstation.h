@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,8 +14,7 @@ struct WorkstationOrder {
   std::string exercise = "reach";
   std::uint64_t seed = 1;
   bool dark = false;
-  int width_px = 1600;
-  int height_px = 1000;
+  std::array<int, 2> size_px{1600, 1000};  ///< width and height of the window
   std::filesystem::path tour;  ///< a folder: walk through a session and leave a picture of each step there
   std::string language = "en";
 };

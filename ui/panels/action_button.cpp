@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QStyleOptionButton>
+#include <QVariant>
 
 #include "ui/panels/text.h"
 

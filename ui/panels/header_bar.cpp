@@ -1,6 +1,7 @@
 #include "ui/panels/header_bar.h"
 
 #include <QHBoxLayout>
+#include <QVariant>
 
 #include "ui/model/words.h"
 #include "ui/panels/action_button.h"
@@ -41,10 +42,10 @@ HeaderBar::HeaderBar(bool simulated, QWidget* parent)
   row->addWidget(session_);
   row->addWidget(recording_);
   row->addStretch();
-  add(*row, "viewButton", tr("Reset view"), Qt::CTRL | Qt::Key_0, &HeaderBar::viewWanted);
-  add(*row, "imagesButton", tr("Camera images"), Qt::CTRL | Qt::Key_I, &HeaderBar::imagesWanted);
-  add(*row, "themeButton", tr("Light or dark"), Qt::CTRL | Qt::Key_D, &HeaderBar::themeWanted);
-  add(*row, "keysButton", tr("Keys"), Qt::Key_F1, &HeaderBar::keysWanted);
+  add(*row, "viewButton", tr("Reset view"), QStringLiteral("Ctrl+0"), &HeaderBar::viewWanted);
+  add(*row, "imagesButton", tr("Camera images"), QStringLiteral("Ctrl+I"), &HeaderBar::imagesWanted);
+  add(*row, "themeButton", tr("Light or dark"), QStringLiteral("Ctrl+D"), &HeaderBar::themeWanted);
+  add(*row, "keysButton", tr("Keys"), QStringLiteral("F1"), &HeaderBar::keysWanted);
   if (simulated) {
     auto* mark = new QLabel(tr("SIMULATION"));
     mark->setObjectName(QStringLiteral("simulationMark"));

@@ -1,6 +1,7 @@
 #include "ui/panels/log_panel.h"
 
 #include <QHBoxLayout>
+#include <QVariant>
 
 namespace mirrorarm::ui {
 

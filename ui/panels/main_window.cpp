@@ -135,7 +135,7 @@ QWidget* MainWindow::makeBottom() {
 }
 
 void MainWindow::join() {
-  connect(&feed_, &LiveFeed::taken, this, &MainWindow::show);
+  connect(&feed_, &LiveFeed::taken, this, &MainWindow::present);
   connect(&session_, &SessionPresenter::stateChanged, rail_,
           [this](const SessionState& s) { rail_->setStep(s.step); });
   connect(&tracking_, &TrackingPresenter::stateChanged, quality_panel_,
@@ -172,7 +172,7 @@ void MainWindow::setDark(bool dark) {
 
 void MainWindow::start() { feed_.start(); }
 
-void MainWindow::show(const station::Snapshot& snapshot, TimePoint now) {
+void MainWindow::present(const station::Snapshot& snapshot, TimePoint now) {
   session_.show(snapshot);
   session_panel_->setChecks(readinessOf(snapshot, workplace_, now));
   session_panel_->setSummary(summaryOf(snapshot.record.measures));

@@ -46,7 +46,6 @@ class MainWindow : public QMainWindow {
   MainWindow(station::StationPort& port, Workplace workplace, Themes themes, ReportJob::Read read_report);
   ~MainWindow() override;
 
-  using QMainWindow::show;
   void setDark(bool dark);
   /// Starts the beat.
   void start();
@@ -59,7 +58,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* makeRight();
   [[nodiscard]] QWidget* makeBottom();
   void join();
-  void show(const station::Snapshot& snapshot, TimePoint now);
+  void present(const station::Snapshot& snapshot, TimePoint now);
   void enlargeImages();
 
   const Workplace workplace_;

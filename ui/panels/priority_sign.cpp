@@ -37,13 +37,14 @@ void PrioritySign::paintEvent(QPaintEvent*) {
   const QPointF centre = body.center();
   if (!priority_) {
     painter.drawPolyline(
-        QPolygonF{centre + QPointF(-6, 0.5), centre + QPointF(-2, 4.5), centre + QPointF(6, -4.5)});
+        QVector<QPointF>{centre + QPointF(-6, 0.5), centre + QPointF(-2, 4.5), centre + QPointF(6, -4.5)});
     return;
   }
   if (*priority_ == Priority::kLow)
     painter.drawEllipse(centre, body.height() / 2, body.height() / 2);
   else
-    painter.drawPolygon(QPolygonF{QPointF(centre.x(), body.top()), body.bottomRight(), body.bottomLeft()});
+    painter.drawPolygon(
+        QVector<QPointF>{QPointF(centre.x(), body.top()), body.bottomRight(), body.bottomLeft()});
   const QPointF strokes = *priority_ == Priority::kLow ? centre : centre + QPointF(0, 4);
   drawStrokes(painter, strokes, static_cast<int>(*priority_) + 1);
 }

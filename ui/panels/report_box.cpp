@@ -17,8 +17,8 @@ ReportBox::ReportBox(ReportJob& job, QWidget* parent)
       summary_(new QGridLayout),
       make_(
           new ActionButton(QStringLiteral("makeReportButton"), tr("Make report"), QKeySequence(Qt::Key_F8))),
-      open_(new ActionButton(QStringLiteral("openReportButton"), tr("Open report"),
-                             QKeySequence(Qt::CTRL | Qt::Key_O))),
+      open_(
+          new ActionButton(QStringLiteral("openReportButton"), tr("Open report"), QStringLiteral("Ctrl+O"))),
       result_(makeText("notice")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -83,7 +83,7 @@ void SessionPanel::addMapping(QVBoxLayout& column) {
     const bool mirror = mapping == therapy::Mapping::kMirror;
     choice->setObjectName(mirror ? QStringLiteral("mirrorChoice") : QStringLiteral("parallelChoice"));
     choice->setAccessibleName(words(mapping));
-    choice->setShortcut(QKeySequence(Qt::CTRL | (mirror ? Qt::Key_M : Qt::Key_P)));
+    choice->setShortcut(QKeySequence(mirror ? QStringLiteral("Ctrl+M") : QStringLiteral("Ctrl+P")));
     choice->setToolTip(choice->shortcut().toString(QKeySequence::NativeText));
     connect(choice, &QRadioButton::clicked, this, [this, mapping] { presenter_.setMapping(mapping); });
     choices->addWidget(choice);

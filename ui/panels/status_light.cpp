@@ -8,7 +8,8 @@ namespace {
 constexpr int kSize_px = 30;
 
 void drawTick(QPainter& painter, const QPointF& c) {
-  painter.drawPolyline(QPolygonF{c + QPointF(-6, 0.5), c + QPointF(-1.8, 4.7), c + QPointF(6.2, -4.5)});
+  painter.drawPolyline(
+      QVector<QPointF>{c + QPointF(-6, 0.5), c + QPointF(-1.8, 4.7), c + QPointF(6.2, -4.5)});
 }
 
 void drawCross(QPainter& painter, const QPointF& c) {
@@ -56,7 +57,8 @@ void StatusLight::paintEvent(QPaintEvent*) {
       return drawTick(painter, centre);
     case Light::kWaiting:
       painter.setBrush(theme_.colour(QStringLiteral("waiting")));
-      painter.drawPolygon(QPolygonF{QPointF(centre.x(), body.top()), body.bottomRight(), body.bottomLeft()});
+      painter.drawPolygon(
+          QVector<QPointF>{QPointF(centre.x(), body.top()), body.bottomRight(), body.bottomLeft()});
       painter.setPen(sign);
       return drawExclamation(painter, centre + QPointF(0, 2));
     case Light::kBad:

@@ -68,7 +68,7 @@ void StepRail::drawStep(QPainter& painter, int index) const {
                       2.2));
   if (done) {
     painter.drawPolyline(
-        QPolygonF{centre + QPointF(-5, 0.5), centre + QPointF(-1.5, 4), centre + QPointF(5.2, -3.8)});
+        QVector<QPointF>{centre + QPointF(-5, 0.5), centre + QPointF(-1.5, 4), centre + QPointF(5.2, -3.8)});
     return;
   }
   font.setPixelSize(13);

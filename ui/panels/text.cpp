@@ -2,6 +2,7 @@
 
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 
 namespace mirrorarm::ui {
 

@@ -1,6 +1,7 @@
 #include <QAbstractButton>
 #include <QDir>
 #include <QImage>
+#include <QLabel>
 #include <QSet>
 #include <QtTest>
 #include <gtest/gtest.h>
