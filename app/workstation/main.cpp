@@ -4,6 +4,7 @@
 
 #include "app/workstation/exit_code.h"
 #include "app/workstation/report_command.h"
+#include "app/workstation/run_workstation.h"
 
 namespace {
 
@@ -12,13 +13,33 @@ using namespace mirrorarm::workstation;
 void addReportOptions(CLI::App& app, ReportOrder& order) {
   auto* report =
       app.add_option("--report", order.store, "Make the report of a session recorded in this store")
-          ->type_name("STORE")
-          ->required();
+          ->type_name("STORE");
   auto* session =
       app.add_option("--session", order.session, "The session's id in the store")->type_name("ID");
   auto* out = app.add_option("--out", order.out, "The PDF to write")->type_name("FILE.pdf");
   report->needs(session)->needs(out);
-  app.add_option("--language", order.language, "Language of the words: en or de")->capture_default_str();
+}
+
+void addWindowOptions(CLI::App& app, WorkstationOrder& order) {
+  app.add_option("--store", order.store, "Keep the records in this store instead of the user's own")
+      ->type_name("FILE");
+  app.add_option("--exercise", order.exercise,
+                 "What the simulated patient does: reach, lift, side, circle, turn")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--motion", order.motion, "A recorded motion that moves the healthy arm instead")
+      ->type_name("FILE.trc")
+      ->check(CLI::ExistingFile);
+  app.add_option("--seed", order.seed, "Of the simulated sensors' noise")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("--dark", order.dark, "Begin with the dark theme");
+  app.add_option("--size", order.size_px, "Width and height of the window [px]")
+      ->expected(2)
+      ->capture_default_str();
+  app.add_option("--tour", order.tour,
+                 "Walk through a session and leave a picture of each step in this folder")
+      ->type_name("DIR");
 }
 
 }  // namespace
@@ -26,12 +47,19 @@ void addReportOptions(CLI::App& app, ReportOrder& order) {
 int main(int argc, char** argv) {
   CLI::App app{"mirrorarm: the workstation for cooperative robotic movement therapy", "mirrorarm"};
   app.set_version_flag("--version", MIRRORARM_VERSION);
-  app.footer("Example:\n  mirrorarm --report store.sqlite --session 3 --out report.pdf --language de");
+  app.footer(
+      "Examples:\n  mirrorarm\n  mirrorarm --tour pictures\n  mirrorarm --report store.sqlite --session 3 "
+      "--out report.pdf --language de");
   ReportOrder report;
+  WorkstationOrder window;
+  std::string language = "en";
   addReportOptions(app, report);
+  addWindowOptions(app, window);
+  app.add_option("--language", language, "Language of the words: en or de")->capture_default_str();
   try {
     app.parse(argc, argv);
-    return runReport(report, argc, argv);
+    report.language = window.language = language;
+    return report.store.empty() ? runWorkstation(window, argc, argv) : runReport(report, argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::cerr << "mirrorarm: " << error.what() << " (--help shows how)\n";

@@ -112,6 +112,7 @@ FakeStation::FakeStation(const Workplace& workplace) : frame_(std::make_shared<s
   see(workplace.rig, points_C, *frame_);
   target_ = std::make_shared<tracking::Target>(std::move(target));
   auto& servo = shown.control.servo;
+  servo.at_rest = true;
   servo.measured.q_rad = restingJoints();
   servo.measured.v_rad_s = servo.commanded.v_rad_s = robot::Joints::Zero(7);
   shown.control.X_BF = robot::Kinematics(workplace.arm).flange(restingJoints());

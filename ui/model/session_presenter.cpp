@@ -65,6 +65,11 @@ QString progressOf(const station::Snapshot& snapshot) {
   }
 }
 
+/// While a stop is latched a session can only be ended.
+bool isAllowed(Action action, const SessionState& state) {
+  return therapy::after(state.phase, action).has_value() && (!state.stopped || action == Action::kFinish);
+}
+
 void explainStop(control::StopReason reason, SessionState& state) {
   state.stopped = true;
   state.primary.reset();
@@ -127,7 +132,7 @@ SessionState SessionPresenter::stateOf(const station::Snapshot& snapshot) const 
   next.mapping = mapping_;
   if (control.servo.stop != control::StopReason::kNone) explainStop(control.servo.stop, next);
   for (std::size_t i = 0; i < next.allowed.size(); ++i)
-    next.allowed[i] = !next.stopped && therapy::after(control.phase, static_cast<Action>(i)).has_value();
+    next.allowed[i] = isAllowed(static_cast<Action>(i), next);
   next.can_choose_mapping = !next.stopped && control.phase == Phase::kTaught;  // aligning fixes it
   next.session = snapshot.record.session;
   next.can_report = snapshot.record.recording == station::Recording::kComplete;

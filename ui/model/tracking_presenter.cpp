@@ -5,7 +5,7 @@
 namespace mirrorarm::ui {
 namespace {
 
-constexpr Seconds kFreshFor{0.100};  // as long as the robot may follow it
+constexpr Seconds kFreshFor{0.150};  // a frame period, its way through vision, and some air
 constexpr Seconds kCameraSilentAfter{0.250};
 constexpr Seconds kFiguresEvery{0.200};
 

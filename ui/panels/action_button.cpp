@@ -31,9 +31,9 @@ void ActionButton::setPrimary(bool primary) {
 }
 
 QSize ActionButton::sizeHint() const {
-  // Twice: the text is centred and the key must not reach it.
   const int key_px = fontMetrics().horizontalAdvance(key_text_) + kKeyMargin_px;
-  return QPushButton::sizeHint() + QSize(2 * key_px, 0);
+  const int sides = property("quiet").toBool() ? 1 : 2;  // a centred text must not reach the key
+  return QPushButton::sizeHint() + QSize(sides * key_px, 0);
 }
 
 void ActionButton::paintEvent(QPaintEvent* event) {

@@ -35,7 +35,7 @@ HeaderBar::HeaderBar(bool simulated, QWidget* parent)
   setFixedHeight(kHeight_px);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 0, 12, 0);
-  row->setSpacing(16);
+  row->setSpacing(10);
   auto* name = new QLabel(QStringLiteral("mirrorarm"));
   name->setObjectName(QStringLiteral("productName"));
   row->addWidget(name);
@@ -50,7 +50,7 @@ HeaderBar::HeaderBar(bool simulated, QWidget* parent)
     auto* mark = new QLabel(tr("SIMULATION"));
     mark->setObjectName(QStringLiteral("simulationMark"));
     mark->setToolTip(tr("Robot, cameras and patient are simulated"));
-    row->addWidget(mark);
+    row->addWidget(mark, 0, Qt::AlignVCenter);
   }
   show(station::RecordState{});
 }
@@ -59,6 +59,7 @@ void HeaderBar::add(QHBoxLayout& row, const char* name, const QString& text, con
                     void (HeaderBar::*wanted)()) {
   auto* button = new ActionButton(QLatin1String(name), text, key);
   button->setProperty("quiet", true);
+  button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   connect(button, &QPushButton::clicked, this, wanted);
   row.addWidget(button);
 }

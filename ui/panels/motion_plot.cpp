@@ -41,7 +41,7 @@ MotionPlot::MotionPlot(double window_s, QWidget* parent)
   healthy_ = graph(*displacement_);
   impaired_ = graph(*displacement_);
   to_goal_ = graph(*distance_);
-  setMinimumHeight(150);
+  setMinimumHeight(110);
 }
 
 void MotionPlot::setUpAxes(QCPAxisRect& rect, double window_s) {
@@ -52,7 +52,7 @@ void MotionPlot::setUpAxes(QCPAxisRect& rect, double window_s) {
   for (auto* axis : rect.axes()) axis->setTickLabelFont(plotFont(*this));
   for (auto* axis : rect.axes(QCPAxis::atTop | QCPAxis::atRight)) axis->setVisible(false);
   rect.axis(QCPAxis::atBottom)->setRange(-window_s, 0.0);
-  rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+  rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(2);
   rect.axis(QCPAxis::atLeft)->setRange(0.0, kSmallestDisplacement_mm);
   for (auto* axis : {rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft)}) {
     axis->grid()->setLayer(QStringLiteral("grid"));

@@ -30,7 +30,6 @@ QualityPanel::QualityPanel(QWidget* parent)
       computing_(new Figure(tr("Computing"))),
       lost_frames_(new Figure(tr("Lost frames"))),
       legend_(makeText("caption")),
-      goal_legend_(makeText("caption")),
       plot_(new MotionPlot(kPlotWindow_s)) {
   setObjectName(QStringLiteral("qualityPanel"));
   auto* column = new QVBoxLayout(this);
@@ -43,7 +42,6 @@ QualityPanel::QualityPanel(QWidget* parent)
   inside->addWidget(makeFigures());
   inside->addWidget(legend_);
   inside->addWidget(plot_, 1);
-  inside->addWidget(goal_legend_);
 }
 
 QWidget* QualityPanel::makeStatusRow() {
@@ -78,11 +76,10 @@ QWidget* QualityPanel::makeFigures() {
 void QualityPanel::setTheme(const Theme& theme) {
   light_->setTheme(theme);
   plot_->setTheme(theme);
-  const QString gap = QStringLiteral("&nbsp;&nbsp;&nbsp;");
-  legend_->setText(tr("From start, mm") + gap + stroke(theme, "healthy", QStringLiteral("━━")) +
-                   tr("healthy") + gap + stroke(theme, "impaired", QStringLiteral("╍╍")) + tr("impaired"));
-  goal_legend_->setText(stroke(theme, "goal", QStringLiteral("━━")) +
-                        tr("sling to its goal, mm, over the last seconds"));
+  const QString gap = QStringLiteral("&nbsp;&nbsp;");
+  legend_->setText(tr("mm from start:") + gap + stroke(theme, "healthy", QStringLiteral("━━")) +
+                   tr("healthy") + gap + stroke(theme, "impaired", QStringLiteral("╍╍")) + tr("impaired") +
+                   gap + stroke(theme, "goal", QStringLiteral("━━")) + tr("to goal"));
 }
 
 void QualityPanel::show(const TrackingState& state) {

@@ -36,7 +36,6 @@ class QualityPanel : public QWidget {
   Figure* computing_;
   Figure* lost_frames_;
   QLabel* legend_;
-  QLabel* goal_legend_;
   MotionPlot* plot_;
 };
 

@@ -14,7 +14,7 @@
 namespace mirrorarm::ui {
 namespace {
 
-constexpr double kSeen_m = 0.32;        // how deep the pyramid is drawn
+constexpr double kSeen_m = 0.24;        // how deep the pyramid is drawn
 constexpr double kWidestTangent = 1.2;  // a fisheye's corners are drawn no further out
 
 /// The image corners on the plane z = kSeen_m of the camera.

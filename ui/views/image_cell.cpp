@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSmallestMark_px = 3.5;  // on screen: smaller ones could not be seen
 constexpr double kLabelGap_px = 3.0;
+constexpr double kLabelScale = 0.3;  // smaller than this the numbers would cover each other
 
 /// The image's own pixels, not copied.
 QImage wrap(const camera::ImageView& view) {
@@ -89,7 +90,7 @@ void ImageCell::drawMark(QPainter& painter, const ImageOverlay::Mark& mark, cons
   painter.setPen(QPen(colour, 1.0));
   painter.drawLine(centre - QPointF(2, 0), centre + QPointF(2, 0));
   painter.drawLine(centre - QPointF(0, 2), centre + QPointF(0, 2));
-  if (mark.identity)
+  if (mark.identity && scale_ >= kLabelScale)
     drawHaloed(painter, centre + QPointF(major + kLabelGap_px, -kLabelGap_px),
                QString::number(*mark.identity), theme);
 }

@@ -22,8 +22,9 @@ namespace {
 
 constexpr int kSamples = 4;
 // What must be seen: the robot upright, both arms before it [m in B].
-const double kInteresting[6] = {-0.15, 1.0, -0.3, 0.6, 0.0, 0.85};
-const Eigen::Vector3d kFromSide(1.0, -0.9, 0.65);  // where the view looks from
+const double kInteresting[6] = {-0.1, 0.95, -0.25, 0.6, 0.0, 0.8};
+const Eigen::Vector3d kFromSide(0.85, -1.0, 0.55);  // where the view looks from
+constexpr double kCloser = 1.5;                     // ResetCamera leaves room for a whole sphere
 
 }  // namespace
 
@@ -114,6 +115,7 @@ void SceneView::resetView() {
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(kFromSide.x(), kFromSide.y(), kFromSide.z());
   renderer_->ResetCamera(kInteresting);
+  camera->Zoom(kCloser);
   renderWindow()->Render();
 }
 

@@ -15,7 +15,7 @@ namespace mirrorarm::ui {
 namespace {
 
 // In tenths of a metre about the robot's foot, x towards the patient.
-constexpr int kBack = -4, kFront = 12, kSide = 8;
+constexpr int kBack = -3, kFront = 11, kSide = 7;
 constexpr double kCell_m = 0.1;
 constexpr double kThickness_m = 0.03;
 

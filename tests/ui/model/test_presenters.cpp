@@ -59,7 +59,7 @@ TEST_F(Presenters, ARefusalAtOnceIsToldAtOnce) {
   EXPECT_EQ(session_.state().message, words(station::Answer::kQueueFull));
 }
 
-TEST_F(Presenters, AStopForbidsEverythingButItsReset) {
+TEST_F(Presenters, AStopLeavesItsResetAndTheEndOfTheSession) {
   station_.enter(Phase::kTraining);
   beat();
   session_.stop();
@@ -67,7 +67,10 @@ TEST_F(Presenters, AStopForbidsEverythingButItsReset) {
   beat();
   EXPECT_TRUE(session_.state().stopped);
   EXPECT_EQ(session_.state().primary, std::nullopt);
-  for (int i = 0; i < kActionCount; ++i) EXPECT_FALSE(session_.state().allows(static_cast<Action>(i)));
+  for (int i = 0; i < kActionCount; ++i) {
+    const auto action = static_cast<Action>(i);
+    EXPECT_EQ(session_.state().allows(action), action == Action::kFinish);
+  }
   session_.resetStop();
   beat();
   EXPECT_FALSE(session_.state().stopped);
