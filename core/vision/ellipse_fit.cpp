@@ -88,6 +88,36 @@ Eigen::Matrix<double, 5, 1> motions(const Offset& offset, const Eigen::Vector2d&
   return row;
 }
 
+/// Normal equations of the motions that bring the outline onto the supporting points.
+struct NormalEquations {
+  Eigen::Matrix<double, 5, 5> matrix = Eigen::Matrix<double, 5, 5>::Zero();
+  Eigen::Matrix<double, 5, 1> vector = Eigen::Matrix<double, 5, 1>::Zero();
+  double squares = 0.0;
+  int count = 0;
+};
+
+NormalEquations gather(const EllipseMap& ellipse, const Eigen::Matrix2d& inverse_axes,
+                       std::span<const Eigen::Vector2d> points, const std::vector<char>& supports) {
+  NormalEquations equations;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (supports[i] == 0) continue;
+    const auto offset = offsetFrom(ellipse, inverse_axes, points[i]);
+    const auto row = motions(offset, points[i] - ellipse.centre);
+    equations.matrix += row * row.transpose();
+    equations.vector += row * offset.distance;
+    equations.squares += offset.distance * offset.distance;
+    ++equations.count;
+  }
+  return equations;
+}
+
+void move(EllipseMap& ellipse, const Eigen::Matrix<double, 5, 1>& change) {
+  Eigen::Matrix2d stretch;
+  stretch << change(2), change(4), change(4), change(3);
+  ellipse.centre += change.head<2>();
+  ellipse.axes += stretch * ellipse.axes;
+}
+
 }  // namespace
 
 std::optional<EllipseMap> fitDirect(std::span<const Eigen::Vector2d> points) {
@@ -112,45 +142,35 @@ std::optional<EllipseFit> EllipseRefiner::refine(const EllipseMap& start,
                                                  std::span<const Eigen::Vector2d> points, double least_gate,
                                                  std::vector<char>& supports) {
   EllipseFit fit{start, 0.0, Eigen::Matrix2d::Zero()};
-  supports.assign(points.size(), 1);
-  distances_.resize(points.size());
   for (int round = 0; round <= kRounds; ++round) {
     const Eigen::Matrix2d inverse_axes = fit.ellipse.axes.inverse();
     if (!inverse_axes.allFinite()) return std::nullopt;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      distances_[i] = std::abs(offsetFrom(fit.ellipse, inverse_axes, points[i]).distance);
-    sorted_ = distances_;
-    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-    std::nth_element(sorted_.begin(), middle, sorted_.end());
-    const double gate = std::max(kGateSigmas * kMadToSigma * *middle, least_gate);
-    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-    Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
-    double squares = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      supports[i] = distances_[i] <= gate ? 1 : 0;
-      if (supports[i] == 0) continue;
-      const auto offset = offsetFrom(fit.ellipse, inverse_axes, points[i]);
-      const auto row = motions(offset, points[i] - fit.ellipse.centre);
-      normal += row * row.transpose();
-      right += row * offset.distance;
-      squares += offset.distance * offset.distance;
-      ++count;
-    }
-    const auto solver = normal.ldlt();
-    if (count < 6 || solver.info() != Eigen::Success) return std::nullopt;
-    fit.rms = std::sqrt(squares / count);
+    chooseSupport(fit.ellipse, inverse_axes, points, least_gate, supports);
+    const auto equations = gather(fit.ellipse, inverse_axes, points, supports);
+    const auto solver = equations.matrix.ldlt();
+    if (equations.count < 6 || solver.info() != Eigen::Success) return std::nullopt;
+    fit.rms = std::sqrt(equations.squares / equations.count);
     fit.cofactor = solver.solve(Eigen::Matrix<double, 5, 5>::Identity()).topLeftCorner<2, 2>();
-    if (round == kRounds) break;
-    const Eigen::Matrix<double, 5, 1> change = solver.solve(right);
-    Eigen::Matrix2d stretch;
-    stretch << change(2), change(4), change(4), change(3);
-    fit.ellipse.centre += change.head<2>();
-    fit.ellipse.axes += stretch * fit.ellipse.axes;
+    if (round < kRounds) move(fit.ellipse, solver.solve(equations.vector));
   }
   const bool finite =
       fit.ellipse.centre.allFinite() && fit.ellipse.axes.allFinite() && fit.cofactor.allFinite();
   return finite ? std::optional(fit) : std::nullopt;
+}
+
+void EllipseRefiner::chooseSupport(const EllipseMap& ellipse, const Eigen::Matrix2d& inverse_axes,
+                                   std::span<const Eigen::Vector2d> points, double least_gate,
+                                   std::vector<char>& supports) {
+  supports.assign(points.size(), 0);
+  distances_.resize(points.size());
+  if (points.empty()) return;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    distances_[i] = std::abs(offsetFrom(ellipse, inverse_axes, points[i]).distance);
+  sorted_ = distances_;
+  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
+  std::nth_element(sorted_.begin(), middle, sorted_.end());
+  const double gate = std::max(kGateSigmas * kMadToSigma * *middle, least_gate);
+  for (std::size_t i = 0; i < points.size(); ++i) supports[i] = distances_[i] <= gate ? 1 : 0;
 }
 
 }  // namespace mirrorarm::vision

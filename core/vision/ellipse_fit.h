@@ -39,6 +39,9 @@ class EllipseRefiner {
                                                  std::vector<char>& supports);
 
  private:
+  void chooseSupport(const EllipseMap& ellipse, const Eigen::Matrix2d& inverse_axes,
+                     std::span<const Eigen::Vector2d> points, double least_gate, std::vector<char>& supports);
+
   std::vector<double> distances_;
   std::vector<double> sorted_;
 };
