@@ -37,7 +37,7 @@ void addRobot(const station::ControlState& control, TimePoint now, QVector<Condi
 void addTraining(const station::ControlState& control, QVector<Condition>& found) {
   if (control.phase != therapy::Phase::kTraining) return;
   if (!control.target_fresh)
-    found.push_back({QStringLiteral("target"), Priority::kMedium,
+    found.push_back({QStringLiteral("target"), Priority::kLow,
                      Alarm::tr("The arm target is out of view; the robot holds")});
   using control::FollowOutcome;
   if (control.follow == FollowOutcome::kOutOfReach || control.follow == FollowOutcome::kBlocked ||

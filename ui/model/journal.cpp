@@ -16,9 +16,8 @@ void Journal::compare(const Seen& before, const Seen& now, station::Answer answe
   if (now.phase != before.phase) log_.add(words(now.phase));
   if (now.answers != before.answers && answer != station::Answer::kAccepted)
     log_.add(LogModel::tr("Refused: %1").arg(words(answer)));
-  if (now.stop != before.stop)
-    log_.add(now.stop == control::StopReason::kNone ? LogModel::tr("Stop reset")
-                                                    : LogModel::tr("STOP: %1").arg(words(now.stop)));
+  const bool freed = now.stop == control::StopReason::kNone && now.stop != before.stop;
+  if (freed) log_.add(LogModel::tr("Stop reset"));
   if (now.recording != before.recording) log_.add(words(now.recording));
   if (now.reteachings > before.reteachings) log_.add(LogModel::tr("The markers were taught anew"));
 }

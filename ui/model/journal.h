@@ -7,7 +7,8 @@
 
 namespace mirrorarm::ui {
 
-/// Compares each snapshot with the one before and writes what changed into the log.
+/// Compares each snapshot with the one before and writes what changed into the log. Stops are alarms and
+/// written as such.
 class Journal {
  public:
   /// `log` outlives the journal.

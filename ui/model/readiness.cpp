@@ -24,7 +24,7 @@ QVector<Check> readinessOf(const station::Snapshot& snapshot, const Workplace& w
   const auto& calibrated = workplace.rig.calibration.date;
   return {{Readiness::tr("Cameras deliver images"), images},
           {Readiness::tr("Robot answers and rests"), answers && snapshot.control.servo.at_rest},
-          {calibrated.empty() ? Readiness::tr("Calibration has a date")
+          {calibrated.empty() ? Readiness::tr("Calibration without a date")
                               : Readiness::tr("Calibrated %1").arg(QString::fromStdString(calibrated)),
            !calibrated.empty()},
           {Readiness::tr("Markers in view: %1").arg(markers), markers >= kFewestMarkers}};

@@ -13,6 +13,12 @@ constexpr double kNearLimit_rad = 0.15;
 constexpr Seconds kSilentAfter{0.5};
 constexpr Seconds kFiguresEvery{0.1};
 
+/// Rounded before it is written, so that there is no "-0.0".
+QString degrees(double angle_rad) {
+  const double tenths = std::round(angle_rad * kDegrees * 10.0);
+  return QStringLiteral("%1°").arg(tenths == 0.0 ? 0.0 : tenths / 10.0, 0, 'f', 1);
+}
+
 QString motionOf(const station::ControlState& control) {
   if (control.servo.stop != control::StopReason::kNone) return RobotPresenter::tr("Stopped");
   if (!control.servo.at_rest) return RobotPresenter::tr("Moving");
@@ -31,7 +37,7 @@ JointFigures RobotPresenter::jointOf(int joint, double q_rad, double v_rad_s) co
   const double upper = workplace_.limits.upper_rad[joint];
   JointFigures figures;
   figures.name = QString::fromStdString(workplace_.arm.joints[static_cast<std::size_t>(joint)].name);
-  figures.angle = QStringLiteral("%1°").arg(q_rad * kDegrees, 0, 'f', 1);
+  figures.angle = degrees(q_rad);
   figures.place = std::clamp((q_rad - lower) / (upper - lower), 0.0, 1.0);
   figures.speed_share = std::clamp(v_rad_s / workplace_.limits.max_speed_rad_s[joint], -1.0, 1.0);
   figures.near_limit = std::min(q_rad - lower, upper - q_rad) < kNearLimit_rad;

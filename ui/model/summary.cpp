@@ -22,8 +22,8 @@ QVector<SummaryLine> summaryOf(const therapy::SessionMeasures& measures) {
           {Summary::tr("Range of the healthy arm"), number(measures.range_mm, 0, mm)},
           {Summary::tr("Delay of the robot"), number(measures.lag_ms, 0, QStringLiteral("ms"))},
           {Summary::tr("Gain"), QString::number(measures.gain, 'f', 2)},
-          {Summary::tr("Shape error, delay removed"), number(measures.shape_error_mm, 1, mm)},
-          {Summary::tr("Felt error"), number(measures.felt_error_mm, 1, mm)},
+          {Summary::tr("Error without delay"), number(measures.shape_error_mm, 1, mm)},
+          {Summary::tr("Error with delay"), number(measures.felt_error_mm, 1, mm)},
           {Summary::tr("Frames tracked"), number(measures.tracked_share * 100.0, 1, QStringLiteral("%"))}};
 }
 

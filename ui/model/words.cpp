@@ -14,7 +14,7 @@ QString words(control::StopReason reason) {
     case control::StopReason::kNone:
       return Words::tr("Not stopped");
     case control::StopReason::kOperator:
-      return Words::tr("STOP was pressed");
+      return Words::tr("The operator pressed STOP");
     case control::StopReason::kCameraSilent:
       return Words::tr("The cameras deliver no images");
     case control::StopReason::kTargetLost:

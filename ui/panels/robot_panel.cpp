@@ -7,6 +7,11 @@
 #include "ui/panels/text.h"
 
 namespace mirrorarm::ui {
+namespace {
+
+constexpr int kMotion_px = 130;  // for the longest of its words
+
+}  // namespace
 
 RobotPanel::RobotPanel(QWidget* parent)
     : QWidget(parent),
@@ -26,6 +31,8 @@ RobotPanel::RobotPanel(QWidget* parent)
   top->addWidget(makeText("heading", tr("Robot")));
   top->addStretch();
   top->addWidget(motion_);
+  motion_->setMinimumWidth(kMotion_px);
+  motion_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   inside->addLayout(top);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);

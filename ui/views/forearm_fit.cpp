@@ -1,6 +1,7 @@
 #include "ui/views/forearm_fit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Dense>
 
@@ -8,6 +9,9 @@ namespace mirrorarm::ui {
 namespace {
 
 constexpr double kThinnest_m = 0.02, kThickest_m = 0.07, kUsual_m = 0.045;
+constexpr double kWorstMisfit_m = 0.02;  // of all markers together
+constexpr double kTilt_rad = 0.025;
+constexpr int kTilts = 8;
 
 /// Axes of the cloud: z along it, y outwards, x across.
 Eigen::Matrix3d axesOf(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& mean,
@@ -23,19 +27,51 @@ Eigen::Matrix3d axesOf(std::span<const Eigen::Vector3d> points, const Eigen::Vec
 }
 
 struct Circle {
-  double centre_y = 0.0;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double radius = 0.0;
+  double misfit = 0.0;  ///< rms distance of the points from it
 };
 
-/// The circle with its centre at x = 0 through points (x, y), least squares: x^2 + y^2 = 2 c y + (r^2 - c^2).
+/// The circle through points (x, y, .), least squares of x^2 + y^2 = 2 a x + 2 b y + c.
 Circle circleThrough(const Eigen::Matrix3Xd& points) {
-  Eigen::MatrixX2d A(points.cols(), 2);
-  A << 2.0 * points.row(1).transpose(), Eigen::VectorXd::Ones(points.cols());
+  Eigen::MatrixX3d A(points.cols(), 3);
+  A << 2.0 * points.topRows<2>().transpose(), Eigen::VectorXd::Ones(points.cols());
   const Eigen::VectorXd squares = points.topRows<2>().colwise().squaredNorm();
-  const Eigen::Vector2d solved = A.colPivHouseholderQr().solve(squares);
-  const double radius = std::sqrt(std::max(0.0, solved[1] + solved[0] * solved[0]));
-  const bool likely = radius > kThinnest_m && radius < kThickest_m && solved[0] < 0.0;
-  return likely ? Circle{solved[0], radius} : Circle{-0.8 * kUsual_m, kUsual_m};
+  const Eigen::Vector3d solved = A.colPivHouseholderQr().solve(squares);
+  Circle circle;
+  circle.centre = solved.head<2>();
+  circle.radius = std::sqrt(std::max(0.0, solved[2] + circle.centre.squaredNorm()));
+  const Eigen::VectorXd distances = (points.topRows<2>().colwise() - circle.centre).colwise().norm();
+  circle.misfit = (distances.array() - circle.radius).matrix().norm();
+  return circle;
+}
+
+bool isLikely(const Circle& circle) {
+  return circle.radius > kThinnest_m && circle.radius < kThickest_m && circle.centre.y() < 0.0;
+}
+
+Eigen::Matrix3d tilted(int across, int outwards) {
+  return (Eigen::AngleAxisd(kTilt_rad * across, Eigen::Vector3d::UnitX()) *
+          Eigen::AngleAxisd(kTilt_rad * outwards, Eigen::Vector3d::UnitY()))
+      .toRotationMatrix();
+}
+
+struct Cylinder {
+  Eigen::Matrix3d R_TA = Eigen::Matrix3d::Identity();
+  Circle circle;
+};
+
+/// The greatest extent of scattered markers lies askew in the arm: of the axes near it the one that suits a
+/// cylinder best.
+Cylinder bestCylinder(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points_T) {
+  Cylinder best{axes, {Eigen::Vector2d(0.0, -0.8 * kUsual_m), kUsual_m, kWorstMisfit_m}};
+  for (int across = -kTilts; across <= kTilts; ++across)
+    for (int outwards = -kTilts; outwards <= kTilts; ++outwards) {
+      const Eigen::Matrix3d R_TA = axes * tilted(across, outwards);
+      const Circle circle = circleThrough(R_TA.transpose() * points_T);
+      if (isLikely(circle) && circle.misfit < best.circle.misfit) best = {R_TA, circle};
+    }
+  return best;
 }
 
 }  // namespace
@@ -43,15 +79,14 @@ Circle circleThrough(const Eigen::Matrix3Xd& points) {
 ForearmFit fitForearm(std::span<const Eigen::Vector3d> markers_T, const Eigen::Vector3d& towards_camera_T) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& marker : markers_T) mean += marker / static_cast<double>(markers_T.size());
-  const Eigen::Matrix3d R_TA = axesOf(markers_T, mean, towards_camera_T);
-  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(markers_T.size()));
+  Eigen::Matrix3Xd points_T(3, static_cast<Eigen::Index>(markers_T.size()));
   for (std::size_t i = 0; i < markers_T.size(); ++i)
-    points.col(static_cast<Eigen::Index>(i)) = R_TA.transpose() * (markers_T[i] - mean);
-  const Circle circle = circleThrough(points);
+    points_T.col(static_cast<Eigen::Index>(i)) = markers_T[i] - mean;
+  const auto [R_TA, circle] = bestCylinder(axesOf(markers_T, mean, towards_camera_T), points_T);
   ForearmFit fit;
-  fit.X_TA = makeTransform(R_TA, mean + circle.centre_y * R_TA.col(1));
+  fit.X_TA = makeTransform(R_TA, mean + R_TA.leftCols<2>() * circle.centre);
   fit.radius_m = circle.radius;
-  fit.half_length_m = points.row(2).cwiseAbs().maxCoeff();
+  fit.half_length_m = (R_TA.col(2).transpose() * points_T).cwiseAbs().maxCoeff();
   return fit;
 }
 

@@ -1,6 +1,7 @@
 #include "ui/views/robot_part.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <vtkActor.h>
 #include <vtkProperty.h>
@@ -13,8 +14,11 @@
 namespace mirrorarm::ui {
 namespace {
 
-constexpr double kDrumOver_m = 0.004;  // how far a drum stands out of the shell
-constexpr double kDrumHeight = 0.75;   // of its radius
+constexpr double kRingOver_m = 0.004;  // how far a ring stands out of the shell
+constexpr double kRingHeight = 0.75;   // of its radius
+constexpr double kCapOver_m = 0.010;   // how far the caps of a hinge stand out at both sides
+constexpr double kCapRadius = 0.78;    // of the shell's
+constexpr double kEdge_m = 0.008;
 
 /// The thickest shell next to a joint: the drum must enclose it.
 double shellRadiusAt(const robot::ArmDescription& arm, int joint) {
@@ -41,12 +45,15 @@ void RobotPart::addCapsule(const robot::Capsule& capsule, Material material) {
       {material, capsule.link, X_LP, makeSolid(lathe(capsuleOutline(length, capsule.radius_m)))});
 }
 
+// A joint that twists the arm shows as a ring around it, a hinge as caps on both its sides.
 void RobotPart::addJoint(const robot::ArmDescription& arm, int joint) {
-  const double radius = shellRadiusAt(arm, joint) + kDrumOver_m;
-  const auto& axis = arm.joints[static_cast<std::size_t>(joint)].axis;
-  const RigidTransform X_LP = frameAlong(Eigen::Vector3d::Zero(), axis);
-  pieces_.push_back({Material::kJoint, joint + 1, X_LP,
-                     makeSolid(lathe(drumOutline(kDrumHeight * radius, radius, 0.012)))});
+  const double shell = shellRadiusAt(arm, joint);
+  const auto& description = arm.joints[static_cast<std::size_t>(joint)];
+  const bool hinge = std::abs(description.axis.z()) < 0.5;  // links lie along z of their frames
+  const auto outline = hinge ? drumOutline(2.0 * (shell + kCapOver_m), kCapRadius * shell, kEdge_m)
+                             : drumOutline(kRingHeight * shell, shell + kRingOver_m, kEdge_m);
+  const RigidTransform X_LP = frameAlong(Eigen::Vector3d::Zero(), description.axis);
+  pieces_.push_back({Material::kJoint, joint + 1, X_LP, makeSolid(lathe(outline))});
 }
 
 void RobotPart::addTo(vtkRenderer& renderer) {

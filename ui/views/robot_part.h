@@ -10,8 +10,8 @@ class vtkActor;
 
 namespace mirrorarm::ui {
 
-/// The robot as its description says: shells around the links, drums at the joints, and what is fixed to the
-/// flange.
+/// The robot as its description says: shells around the links, rings and caps at the joints, and what is
+/// fixed to the flange.
 class RobotPart final : public ScenePart {
  public:
   explicit RobotPart(const Workplace& workplace);

@@ -23,8 +23,8 @@ namespace {
 constexpr int kSamples = 4;
 // What must be seen: the robot upright, both arms before it [m in B].
 const double kInteresting[6] = {-0.1, 0.95, -0.25, 0.6, 0.0, 0.8};
-const Eigen::Vector3d kFromSide(0.85, -1.0, 0.55);  // where the view looks from
-constexpr double kCloser = 1.5;                     // ResetCamera leaves room for a whole sphere
+const Eigen::Vector3d kFromSide(1.0, -0.68, 0.6);  // where the view looks from
+constexpr double kCloser = 1.5;                    // ResetCamera leaves room for a whole sphere
 
 }  // namespace
 
@@ -39,23 +39,22 @@ SceneView::SceneView(const Workplace& workplace, QWidget* parent)
       workplace_(workplace),
       kinematics_(workplace.arm),
       X_BL_(static_cast<std::size_t>(workplace.arm.jointCount() + 1), RigidTransform::Identity()),
-      renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+      renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      overlay_(vtkSmartPointer<vtkRenderer>::New()) {
   const vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(kSamples);
   setRenderWindow(window);
+  window->SetNumberOfLayers(2);
   window->AddRenderer(renderer_);
+  window->AddRenderer(overlay_);
+  overlay_->SetLayer(1);
+  overlay_->InteractiveOff();
+  overlay_->SetActiveCamera(renderer_->GetActiveCamera());
   renderer_->GradientBackgroundOn();
   const vtkNew<vtkInteractorStyleTerrain> style;  // keeps z up
   window->GetInteractor()->SetInteractorStyle(style);
   addLights();
-  parts_.push_back(std::make_unique<TablePart>());
-  parts_.push_back(std::make_unique<RobotPart>(workplace));
-  parts_.push_back(std::make_unique<LimbPart>(workplace));
-  parts_.push_back(std::make_unique<MarkerPart>());
-  parts_.push_back(std::make_unique<FramePart>());
-  parts_.push_back(std::make_unique<PathPart>(workplace));
-  parts_.push_back(std::make_unique<CameraPart>(workplace.rig));
-  for (const auto& part : parts_) part->addTo(*renderer_);
+  addParts();
   setObjectName(QStringLiteral("sceneView"));
   setAccessibleName(tr("3D scene"));
   setFocusPolicy(Qt::StrongFocus);
@@ -64,6 +63,20 @@ SceneView::SceneView(const Workplace& workplace, QWidget* parent)
 }
 
 SceneView::~SceneView() = default;
+
+void SceneView::addParts() {
+  const auto add = [this](std::unique_ptr<ScenePart> part, vtkRenderer& renderer) {
+    part->addTo(renderer);
+    parts_.push_back(std::move(part));
+  };
+  add(std::make_unique<TablePart>(), *renderer_);
+  add(std::make_unique<RobotPart>(workplace_), *renderer_);
+  add(std::make_unique<LimbPart>(workplace_), *renderer_);
+  add(std::make_unique<MarkerPart>(), *renderer_);
+  add(std::make_unique<CameraPart>(workplace_.rig), *renderer_);
+  add(std::make_unique<PathPart>(workplace_), *overlay_);
+  add(std::make_unique<FramePart>(), *overlay_);
+}
 
 void SceneView::addLights() {
   renderer_->RemoveAllLights();

@@ -37,11 +37,13 @@ class SceneView : public QVTKOpenGLNativeWidget {
  private:
   [[nodiscard]] SceneMoment momentOf(const station::Snapshot& snapshot);
   void addLights();
+  void addParts();
 
   const Workplace& workplace_;
   robot::Kinematics kinematics_;
   std::vector<RigidTransform> X_BL_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkRenderer> overlay_;  ///< signs that no body may hide
   std::vector<std::unique_ptr<ScenePart>> parts_;
 };
 

@@ -156,9 +156,10 @@ TEST_F(Presenters, TheJournalWritesChangesOnce) {
   EXPECT_EQ(log.rowCount(), 1);
   station_.stop(control::StopReason::kTargetLost);
   journal.show(station_.snapshot());
-  ASSERT_EQ(log.rowCount(), 2);
-  EXPECT_TRUE(
-      log.data(log.index(1), Qt::DisplayRole).toString().contains(words(control::StopReason::kTargetLost)));
+  EXPECT_EQ(log.rowCount(), 1) << "a stop is written as the alarm that it is";
+  station_.resetStop();
+  journal.show(station_.snapshot());
+  EXPECT_EQ(log.rowCount(), 2);
 }
 
 TEST(Words, EveryReasonHasSome) {
