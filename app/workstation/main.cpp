@@ -34,9 +34,7 @@ void addWindowOptions(CLI::App& app, WorkstationOrder& order) {
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--dark", order.dark, "Begin with the dark theme");
-  app.add_option("--size", order.size_px, "Width and height of the window [px]")
-
-      ->capture_default_str();
+  app.add_option("--size", order.size_px, "Width and height of the window [px]")->capture_default_str();
   app.add_option("--tour", order.tour,
                  "Walk through a session and leave a picture of each step in this folder")
       ->type_name("DIR");

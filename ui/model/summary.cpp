@@ -17,11 +17,8 @@ QString number(double value, int decimals, const QString& unit) {
 
 QVector<SummaryLine> summaryOf(const therapy::SessionMeasures& measures) {
   const QString mm = QStringLiteral("mm");
-  return {{Summary::tr("Active time"), number(measures.active_s, 0, QStringLiteral("s"))},
-          {Summary::tr("Repetitions"), QString::number(measures.repetitions)},
-          {Summary::tr("Range of the healthy arm"), number(measures.range_mm, 0, mm)},
+  return {{Summary::tr("Range of the healthy arm"), number(measures.range_mm, 0, mm)},
           {Summary::tr("Delay of the robot"), number(measures.lag_ms, 0, QStringLiteral("ms"))},
-          {Summary::tr("Gain"), QString::number(measures.gain, 'f', 2)},
           {Summary::tr("Error without delay"), number(measures.shape_error_mm, 1, mm)},
           {Summary::tr("Error with delay"), number(measures.felt_error_mm, 1, mm)},
           {Summary::tr("Frames tracked"), number(measures.tracked_share * 100.0, 1, QStringLiteral("%"))}};

@@ -14,7 +14,8 @@ struct SummaryLine {
   bool operator==(const SummaryLine&) const = default;
 };
 
-/// What a session came to, the most telling first.
+/// What a session came to beside its duration and repetitions, the most telling first; the report tells the
+/// rest.
 [[nodiscard]] QVector<SummaryLine> summaryOf(const therapy::SessionMeasures& measures);
 
 }  // namespace mirrorarm::ui

@@ -24,7 +24,7 @@ constexpr int kGap_px = 8;
 constexpr int kLeft_px = 272;
 constexpr int kRight_px = 336;
 constexpr int kStrip_px = 176;
-constexpr int kBottom_px = 140;
+constexpr int kBottom_px = 132;
 constexpr double kTraceWindow_s = 15.0;
 constexpr int kBeatsAPlot = 3;  // a plot is costly and is read slowly
 

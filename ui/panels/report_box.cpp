@@ -41,7 +41,7 @@ void ReportBox::setSession(std::int64_t session, bool can_report) {
   if (session != session_) {
     result_->hide();
     open_->hide();
-    make_->setPrimary(true);
+    make_->show();
   }
   session_ = session;
   can_report_ = can_report;
@@ -77,7 +77,7 @@ void ReportBox::showResult(const ReportResult& result) {
   result_->show();
   open_->setVisible(made);
   make_->setEnabled(can_report_);
-  make_->setPrimary(!made);
+  make_->setVisible(!made);
 }
 
 void ReportBox::open() { QDesktopServices::openUrl(QUrl::fromLocalFile(file_)); }
