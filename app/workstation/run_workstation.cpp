@@ -27,6 +27,12 @@ int tell(ExitCode code, const std::string& reason) {
   return code;
 }
 
+/// Qt would abort the program where there is none.
+bool hasDisplay() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
 std::filesystem::path storeOf(const WorkstationOrder& order) {
   if (!order.store.empty()) return order.store;
   if (!order.tour.empty()) return order.tour / "store.sqlite";
@@ -92,6 +98,7 @@ int runWindow(ui::MainWindow& window, const WorkstationOrder& order) {
 int runWorkstation(const WorkstationOrder& order, int argc, char** argv) {
   const auto settings = benchSettings(order);
   if (!settings) return tell(kWrongUse, "--exercise: there is none called '" + order.exercise + "'");
+  if (!hasDisplay()) return tell(kFailed, "there is no display; --report and mirrorarm-cli need none");
   ui::SceneView::prepareSurface();
   QApplication::setApplicationName(QStringLiteral("mirrorarm"));
   QApplication application(argc, argv);
