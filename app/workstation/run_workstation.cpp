@@ -73,11 +73,13 @@ ui::Workplace workplaceOf(const station::Equipment& equipment, const station::St
   return workplace;
 }
 
-/// The simulated patient moves while markers are taught and while the robot follows.
+/// The simulated patient moves while markers are taught and from the start of training to its end: in a pause
+/// too, so that an arm that left the view comes back into it.
 void instructPatient(ui::SessionPresenter& session, simulation::Bench& bench) {
   QObject::connect(&session, &ui::SessionPresenter::stateChanged, [&bench](const ui::SessionState& state) {
-    bench.setPatientMoving(state.phase == therapy::Phase::kTeaching ||
-                           state.phase == therapy::Phase::kTraining);
+    using therapy::Phase;
+    bench.setPatientMoving(state.phase == Phase::kTeaching || state.phase == Phase::kTraining ||
+                           state.phase == Phase::kPaused);
   });
 }
 

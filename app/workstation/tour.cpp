@@ -33,8 +33,8 @@ std::vector<Tour::Stage> Tour::stages() {
           {in(Phase::kTraining), Seconds(12.0), "5-train", "imagesButton"},
           {in(Phase::kTraining), Seconds(1.5), "6-images", "imagesButton"},
           {in(Phase::kTraining), Seconds(1.0), "", "stopButton"},
-          {isStopped, Seconds(1.0), "7-stopped", "acknowledgeButton"},
-          {isStopped, Seconds(0.3), "", "resetStopButton"},
+          {isStopped, Seconds(1.0), "7-stopped", "acknowledgeButton", true},
+          {isStopped, Seconds(0.3), "", "resetStopButton", true},
           {in(Phase::kPaused), Seconds(0.5), "8-paused", "startButton"},
           {in(Phase::kTraining), Seconds(5.0), "", "themeButton"},
           {in(Phase::kTraining), Seconds(1.0), "9-dark", "themeButton"},
@@ -58,13 +58,27 @@ void Tour::start() {
 void Tour::look() {
   const TimePoint now = Clock::now();
   const Stage& stage = stages_[stage_];
-  const bool ready = stage.ready(window_.session().state());
+  const SessionState& state = window_.session().state();
+  const bool ready = !isInterrupted(state) && stage.ready(state);
   if (ready && !ready_) ready_since_ = now;
-  ready_ = ready;
+  ready_ = ready_ || ready;
   if (ready && now - ready_since_ >= stage.settle) return act(stage);
   if (now - waiting_since_ > kPatience)
     fail("the tour waited in vain before '" + std::string(*stage.press != '\0' ? stage.press : stage.shot) +
          "'");
+}
+
+// A target that left the view stops the robot; a therapist resets that and goes on.
+bool Tour::isInterrupted(const SessionState& state) {
+  if (state.stopped && !stages_[stage_].stop_wanted) {
+    press("resetStopButton");
+    resuming_ = true;
+  } else if (resuming_ && in(Phase::kPaused)(state)) {
+    press("startButton");
+  } else {
+    resuming_ = false;
+  }
+  return resuming_;
 }
 
 void Tour::act(const Stage& stage) {

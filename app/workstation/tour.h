@@ -32,9 +32,11 @@ class Tour : public QObject {
     Seconds settle{0.0};
     const char* shot = "";
     const char* press = "";
+    bool stop_wanted = false;  ///< a stop here was pressed; any other is reset and the training goes on
   };
   [[nodiscard]] static std::vector<Stage> stages();
   void look();
+  [[nodiscard]] bool isInterrupted(const ui::SessionState& state);
   void act(const Stage& stage);
   void next();
   void take(const char* shot);
@@ -48,6 +50,7 @@ class Tour : public QObject {
   TimePoint waiting_since_{};
   TimePoint ready_since_{};
   bool ready_ = false;
+  bool resuming_ = false;
   QTimer timer_;
 };
 
