@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/calibration/cross_matrix.h"
+
 namespace mirrorarm::calibration {
 namespace {
 
@@ -20,12 +22,6 @@ Eigen::Index intrinsicTerms(const Intrinsics& camera) { return kPinhole + distor
 
 Eigen::Index sharedTerms(const Bundle& bundle) {
   return firstIntrinsic(bundle, bundle.cameras.size()) + (bundle.cameras.size() > 1 ? 6 : 0);
-}
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d S;
-  S << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return S;
 }
 
 /// X with its rotation turned by the vector's first half and its origin moved by the second.
@@ -114,7 +110,7 @@ class Accumulator {
  private:
   static Jacobian26 byPose(const CameraModel::ProjectJacobian& by_point, const Eigen::Vector3d& arm) {
     Jacobian26 J;
-    J << -by_point * skew(arm), by_point;
+    J << -by_point * crossMatrix(arm), by_point;
     return J;
   }
 

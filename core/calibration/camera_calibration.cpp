@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/calibration/median.h"
+
 namespace mirrorarm::calibration {
 namespace {
 
@@ -10,12 +12,6 @@ constexpr double kOutlierShare = 3.0;     ///< of the median view's misfit
 constexpr double kLeastOutlier_px = 0.1;  ///< a view better than this is never one
 constexpr double kLargestRms_px = 5.0;
 constexpr double kLargestFocalSigma = 0.03;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<BoardView> pick(std::span<const BoardView> views, std::span<const std::size_t> which) {
   std::vector<BoardView> picked;
@@ -49,7 +45,8 @@ Expected<SolvedViews, CalibrationError> checked(SolvedViews solved) {
 std::string_view reason(CalibrationError error) {
   switch (error) {
     case CalibrationError::kTooFewViews:
-      return "fewer than 3 usable views of the board: capture more, better 20";
+      return "too few usable views of the board: 3 to solve from and 1 to keep out are the least, 20 are "
+             "better";
     case CalibrationError::kNotSolved:
       return "no lens fits the views: check the board's size and the model";
     case CalibrationError::kViewsTooAlike:

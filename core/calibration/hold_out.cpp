@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/calibration/cross_matrix.h"
+
 namespace mirrorarm::calibration {
 namespace {
 
@@ -26,10 +28,7 @@ std::optional<Straight> straight(const CameraModel& camera, const Eigen::Vector2
 }
 
 Eigen::Matrix3d essential(const RigidTransform& X_RC) {
-  const Eigen::Vector3d t = X_RC.translation();
-  Eigen::Matrix3d T;
-  T << 0.0, -t.z(), t.y(), t.z(), 0.0, -t.x(), -t.y(), t.x(), 0.0;
-  return T * X_RC.linear();
+  return crossMatrix(X_RC.translation()) * X_RC.linear();
 }
 
 /// Distance in pixels to first order: the constraint's value over its slope by the pixel.

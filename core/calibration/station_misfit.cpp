@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/calibration/median.h"
 #include "core/calibration/tsai_lenz.h"
 
 namespace mirrorarm::calibration {
@@ -37,12 +38,6 @@ RigidTransform meanPose(std::span<const RigidTransform> poses, std::span<const d
 double rms(std::span<const double> values) {
   const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
   return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Each station's misfit in units of the median one, the worse of position and rotation.

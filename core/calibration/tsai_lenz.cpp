@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/calibration/cross_matrix.h"
 #include "core/calibration/visp_bridge.h"
 
 namespace mirrorarm::calibration {
@@ -19,12 +20,6 @@ struct Weighted {
   RelativeMotion motion;
   double weight = 1.0;
 };
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d S;
-  S << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return S;
-}
 
 /// Tsai and Lenz's modified Rodrigues vector: 2 sin(angle / 2) along the axis.
 Eigen::Vector3d turnVector(const Eigen::Matrix3d& R) {
@@ -57,7 +52,7 @@ std::optional<Eigen::Vector3d> restOfRotation(std::span<const Weighted> motions,
   for (const auto& [motion, weight] : motions) {
     const Eigen::Vector3d a = turnVector(motion.A.linear());
     const Eigen::Vector3d b = R0 * turnVector(motion.B.linear());
-    equations.add(skew(a + b), b - a, weight);
+    equations.add(crossMatrix(a + b), b - a, weight);
   }
   return equations.solve();
 }
