@@ -16,8 +16,9 @@ struct FileError {
 
 /// One line: "FILE:LINE: reason", without the line number when there is none.
 [[nodiscard]] inline std::string describe(const FileError& error) {
-  const std::string place = error.line > 0 ? ":" + std::to_string(error.line) : "";
-  return error.file.string() + place + ": " + error.reason;
+  std::string text = error.file.string();
+  if (error.line > 0) text.append(":").append(std::to_string(error.line));
+  return text.append(": ").append(error.reason);
 }
 
 template <class T>
