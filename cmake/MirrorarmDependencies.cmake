@@ -26,7 +26,6 @@ function(mirrorarm_found_library name)
   endif()
 endfunction()
 
-mirrorarm_found_library(deps_kdl_parser LIBRARIES kdl_parser INCLUDE kdl_parser/kdl_parser.hpp)
 mirrorarm_found_library(deps_ompl LIBRARIES ompl INCLUDE ompl/config.h SUFFIX ompl-1.5)
 mirrorarm_found_library(deps_soci LIBRARIES soci_core soci_sqlite3 INCLUDE soci/soci.h)
 if(MIRRORARM_SANITIZE)

@@ -160,7 +160,6 @@ struct ServoLoop::Body {
     state.at_rest = state.measured.q_rad.size() > 0 &&
                     largest(state.measured.v_rad_s) < kMeasuredRest_rad_s &&
                     (!driven || largest(last.v_rad_s) < kCommandedRest_rad_s);
-    black_box.add(state);
     static_cast<void>(states.push(state));  // who does not take them misses them, as the header says
     return state;
   }
@@ -191,7 +190,6 @@ struct ServoLoop::Body {
   bool running = false;
   bool driven = false;
   bool interrupted = false;  // by a hold or a stop since the motion in force was followed last
-  BlackBox black_box;
 };
 
 ServoLoop::ServoLoop(const robot::ArmDescription& arm, const robot::MotionLimits& limits,
@@ -215,6 +213,5 @@ void ServoLoop::setTracking(const Tracking& tracking) noexcept { body_->tracking
 void ServoLoop::stop(StopReason reason) noexcept { body_->latch.stop(reason); }
 void ServoLoop::resetStop() noexcept { body_->latch.reset(); }
 std::optional<ServoState> ServoLoop::takeState() noexcept { return body_->states.pop(); }
-const ServoLoop::BlackBox& ServoLoop::blackBox() const noexcept { return body_->black_box; }
 
 }  // namespace mirrorarm::control

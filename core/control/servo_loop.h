@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include "core/common/ring_log.h"
 #include "core/common/time.h"
 #include "core/control/supervisor.h"
 #include "core/robot/kinematics.h"
@@ -13,7 +12,7 @@
 
 namespace mirrorarm::control {
 
-/// What one servo cycle did; also the black box's entry.
+/// What one servo cycle did; also an entry of the station's black box.
 struct ServoState {
   TimePoint
       time{};  ///< the beat that `commanded` stands for: even steps, even where the thread woke unevenly
@@ -63,10 +62,6 @@ class ServoLoop {
   /// The states of the cycles one after another, each once; nothing when all are taken. Whoever stays away
   /// for more than 256 cycles misses the following ones. Control thread only.
   [[nodiscard]] std::optional<ServoState> takeState() noexcept;
-
-  /// The last 10 s at 200 Hz. Read it only while no cycle runs.
-  using BlackBox = RingLog<ServoState, 2048>;
-  [[nodiscard]] const BlackBox& blackBox() const noexcept;
 
  private:
   struct Body;
