@@ -1,6 +1,7 @@
 #include "core/station/recorder_stage.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "core/common/calendar.h"
@@ -17,6 +18,18 @@ std::array<char, 48> shortText(std::string_view text) {
   std::array<char, 48> copy{};
   text.copy(copy.data(), copy.size() - 1);
   return copy;
+}
+
+/// A patient known by a code alone, the next free one of the kind P-0001.
+records::FromStore<std::int64_t> addPatientWithoutName(records::Store& store) {
+  const auto known = store.patients();
+  if (!known) return unexpected(known.error());
+  for (std::size_t number = known->size() + 1;; ++number) {
+    std::array<char, 24> code{};
+    std::snprintf(code.data(), code.size(), "P-%04zu", number);
+    const bool taken = std::ranges::any_of(*known, [&](const auto& patient) { return patient.code == code.data(); });
+    if (!taken) return store.addPatient({0, code.data(), "", 0, ""});
+  }
 }
 
 }  // namespace
@@ -59,7 +72,7 @@ void RecorderStage::write(const Begin& begin) {
   state_ = {};
   if (!store_) return;
   if (patient_ == 0) {
-    const auto made = store_->addPatient({0, "unnamed " + isoUtcNow(), "", 0, ""});
+    const auto made = addPatientWithoutName(*store_);
     if (!made) return fail(made.error().reason);
     patient_ = *made;
   }
