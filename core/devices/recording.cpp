@@ -25,7 +25,7 @@ FileError refusal(const CsvTable& table, const CsvRow& row, std::string reason) 
 FromFile<std::filesystem::path> imagePath(const CsvTable& table, const CsvRow& row, int column) {
   const std::filesystem::path path = row.cells[static_cast<std::size_t>(column)];
   if (staysInside(path)) return path;
-  return unexpected(refusal(table, row, "'" + path.string() + "' is not a path inside the recording"));
+  return unexpected(refusal(table, row, "image '" + path.string() + "' is not a path inside the recording"));
 }
 
 FromFile<camera::GreyImage> imageOfSize(const std::filesystem::path& file, const camera::Intrinsics& camera) {

@@ -12,7 +12,7 @@ void expectRefused(const std::string& arguments, const std::string& named, const
   EXPECT_EQ(refused.lines(), 1) << arguments << "\n" << refused.err;
   EXPECT_NE(refused.err.find(named), std::string::npos) << arguments << "\n" << refused.err;
   EXPECT_TRUE(refused.out.empty()) << refused.out;
-  if (!out.empty()) EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
+  EXPECT_FALSE(!out.empty() && std::filesystem::exists(out)) << arguments;
 }
 
 const std::string kTarget =

@@ -129,7 +129,9 @@ TEST(SceneGrid, VisitsEveryStationOnceInShortSteps) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
     EXPECT_LE(std::abs(stations[i].x()), 0.030001);
     EXPECT_LE(std::abs(stations[i].z()), 0.020001);
-    if (i > 0) EXPECT_NEAR((stations[i] - stations[i - 1]).norm(), 0.02, 1e-9) << i;
+    if (i > 0) {
+      EXPECT_NEAR((stations[i] - stations[i - 1]).norm(), 0.02, 1e-9) << i;
+    }
   }
   EXPECT_EQ(stationsOf({Eigen::Vector3d::Zero(), 0.02, 1}).size(), 1u);
 }

@@ -139,8 +139,9 @@ TEST_F(Presenters, TheToolSpeedIsThatOfTheSling) {
 TEST_F(Presenters, ReadinessNamesWhatIsMissing) {
   auto snapshot = station_.snapshot();
   for (const auto& check : readinessOf(snapshot, workplace_, Clock::now()))
-    if (!check.text.contains(QStringLiteral("alibrat")))
+    if (!check.text.contains(QStringLiteral("alibrat"))) {
       EXPECT_TRUE(check.passed) << check.text.toStdString();
+    }
   const auto empty = readinessOf({}, workplace_, Clock::now());
   EXPECT_FALSE(empty[0].passed);
   EXPECT_FALSE(empty[1].passed);
@@ -165,7 +166,9 @@ TEST_F(Presenters, TheJournalWritesChangesOnce) {
 TEST(Words, EveryReasonHasSome) {
   for (int i = 0; i <= static_cast<int>(control::StopReason::kInternal); ++i) {
     EXPECT_FALSE(words(static_cast<control::StopReason>(i)).isEmpty());
-    if (i > 0) EXPECT_FALSE(advice(static_cast<control::StopReason>(i)).isEmpty());
+    if (i > 0) {
+      EXPECT_FALSE(advice(static_cast<control::StopReason>(i)).isEmpty());
+    }
   }
   for (int i = 0; i < kActionCount; ++i) EXPECT_FALSE(words(static_cast<Action>(i)).isEmpty());
   for (int i = 0; i <= static_cast<int>(robot::GuardAction::kToolSpeed); ++i)
