@@ -1,9 +1,10 @@
 #pragma once
 
-#include <CLI/App.hpp>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
 
 #include "core/common/file_error.h"
 
@@ -41,7 +42,7 @@ void orFail(const Expected<void, std::string>& written);
 void requireExists(const std::filesystem::path& path);
 
 /// Adds a subcommand with --json and an example at the end of its --help.
-CLI::App* addCommand(CLI::App& parent, Context& context, const std::string& name, const std::string& description,
-                     const std::string& example);
+CLI::App* addCommand(CLI::App& parent, Context& context, const std::string& name,
+                     const std::string& description, const std::string& example);
 
 }  // namespace mirrorarm::cli

@@ -85,8 +85,8 @@ Outcome runFast(simulation::Bench& bench, ManualTime& time, const Options& optio
   return outcomeOf(script);
 }
 
-Outcome runInRealTime(simulation::Bench& bench, const Options& options, const station::ScriptSettings& settings,
-                      PoseAudit& audit) {
+Outcome runInRealTime(simulation::Bench& bench, const Options& options,
+                      const station::ScriptSettings& settings, PoseAudit& audit) {
   station::Station station(station::equipmentOf(bench), stationSettings(options));
   station::SessionScript script(station, settings, [&](bool moving) { bench.setPatientMoving(moving); });
   work(script, audit, [] {
@@ -156,7 +156,8 @@ void addSession(CLI::App& app, Context& context) {
   CLI::App* command = addCommand(app, context, "session", "A whole session on the simulated bench, recorded",
                                  "mirrorarm-cli session --seconds 30 --exercise lift --out session --json");
   command->add_option("--out", options->out, "Folder for the record and the exports")->required();
-  command->add_option("--seconds", options->seconds, "Length of the training")->check(CLI::Range(1.0, 7200.0));
+  command->add_option("--seconds", options->seconds, "Length of the training")
+      ->check(CLI::Range(1.0, 7200.0));
   command->add_option("--seed", options->seed, "Seed of everything random");
   command->add_option("--exercise", options->exercise, "reach, lift, side, circle or turn");
   command->add_option("--motion", options->motion, "A TRC file whose forearm markers carry the discs");

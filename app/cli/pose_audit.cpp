@@ -23,7 +23,8 @@ std::optional<Eigen::Vector3d> discNear(const Eigen::Vector3d& p_B, std::span<co
 }  // namespace
 
 void PoseAudit::look(const station::Snapshot& snapshot) {
-  if (!snapshot.frame || snapshot.frame->frame.sequence < next_sequence_ || snapshot.frame->targets.empty()) return;
+  if (!snapshot.frame || snapshot.frame->frame.sequence < next_sequence_ || snapshot.frame->targets.empty())
+    return;
   const auto& seen = *snapshot.frame;
   next_sequence_ = seen.frame.sequence + 1;
   if (seen.targets.front().status != tracking::TrackStatus::kTracked) return;

@@ -7,13 +7,14 @@
 
 namespace mirrorarm::cli {
 
-/// Holds the tracked poses of a simulated session against the truth: the best rigid fit of the taught model to
-/// the true positions of its discs.
+/// Holds the tracked poses of a simulated session against the truth: the best rigid fit of the taught model
+/// to the true positions of its discs.
 class PoseAudit {
  public:
   explicit PoseAudit(const simulation::Bench& bench) : bench_(bench) {}
 
-  /// Looks at a snapshot; frames that were looked at before, and those without a tracked target, are passed over.
+  /// Looks at a snapshot; frames that were looked at before, and those without a tracked target, are passed
+  /// over.
   void look(const station::Snapshot& snapshot);
 
   /// Distances between tracked and true target origin [mm].

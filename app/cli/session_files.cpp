@@ -11,7 +11,8 @@ TimePoint timeOf(const therapy::Sample& sample) { return TimePoint(toClock(Secon
 
 void writePose(std::ostream& out, const RigidTransform& X) {
   const auto q = rotationOf(X);
-  for (const double value : {X.translation().x(), X.translation().y(), X.translation().z(), q.x(), q.y(), q.z(), q.w()})
+  for (const double value :
+       {X.translation().x(), X.translation().y(), X.translation().z(), q.x(), q.y(), q.z(), q.w()})
     out << ',' << value;
 }
 
@@ -29,14 +30,15 @@ tracking::PoseRow rowOf(long long index, const therapy::Sample& sample) {
 
 }  // namespace
 
-Expected<void, std::string> writePoses(const std::filesystem::path& file, std::span<const therapy::Sample> samples) {
+Expected<void, std::string> writePoses(const std::filesystem::path& file,
+                                       std::span<const therapy::Sample> samples) {
   std::vector<tracking::PoseRow> rows;
   for (const auto& sample : samples) rows.push_back(rowOf(static_cast<long long>(rows.size()), sample));
   return tracking::writePoses(file, rows);
 }
 
-Expected<void, std::string> writeRobot(const std::filesystem::path& file, std::span<const therapy::Sample> samples,
-                                       const RigidTransform& X_FE) {
+Expected<void, std::string> writeRobot(const std::filesystem::path& file,
+                                       std::span<const therapy::Sample> samples, const RigidTransform& X_FE) {
   return writeWhole(file, [&](std::ostream& out) {
     const auto joints = samples.empty() ? 0 : samples.front().q_rad.size();
     out << "time_ns";

@@ -13,8 +13,8 @@ namespace mirrorarm::cli {
 [[nodiscard]] Expected<void, std::string> writePoses(const std::filesystem::path& file,
                                                      std::span<const therapy::Sample> samples);
 
-/// robot.csv of a session: joints and flange in base at each frame's exposure; `X_FE` is the end effector's pose
-/// in the flange.
+/// robot.csv of a session: joints and flange in base at each frame's exposure; `X_FE` is the end effector's
+/// pose in the flange.
 [[nodiscard]] Expected<void, std::string> writeRobot(const std::filesystem::path& file,
                                                      std::span<const therapy::Sample> samples,
                                                      const RigidTransform& X_FE);

@@ -1,10 +1,9 @@
 #include "core/common/atomic_file.h"
 
-#include <unistd.h>
-
 #include <fstream>
 #include <limits>
 #include <system_error>
+#include <unistd.h>
 
 namespace mirrorarm {
 

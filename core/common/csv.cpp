@@ -80,16 +80,17 @@ FromFile<double> CsvTable::number(const CsvRow& row, int column) const {
   double value = 0.0;
   const auto& cell = row.cells[static_cast<std::size_t>(column)];
   if (parseNumber(cell, value)) return value;
-  return unexpected(FileError{file_, row.line,
-                              header_[static_cast<std::size_t>(column)] + " is not a finite number: '" + cell + "'"});
+  return unexpected(
+      FileError{file_, row.line,
+                header_[static_cast<std::size_t>(column)] + " is not a finite number: '" + cell + "'"});
 }
 
 FromFile<long long> CsvTable::integer(const CsvRow& row, int column) const {
   long long value = 0;
   const auto& cell = row.cells[static_cast<std::size_t>(column)];
   if (parseWhole(std::string_view(cell), value)) return value;
-  return unexpected(FileError{file_, row.line,
-                              header_[static_cast<std::size_t>(column)] + " is not a whole number: '" + cell + "'"});
+  return unexpected(FileError{
+      file_, row.line, header_[static_cast<std::size_t>(column)] + " is not a whole number: '" + cell + "'"});
 }
 
 }  // namespace mirrorarm

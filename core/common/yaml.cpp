@@ -1,9 +1,9 @@
 #include "core/common/yaml.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <yaml-cpp/yaml.h>
 
 #include "core/common/csv.h"
 
@@ -104,7 +104,8 @@ FromFile<YamlNode> openYaml(const std::filesystem::path& file, std::string_view 
     const auto root = YamlDocument::node(YAML::LoadFile(file.string()), "");
     if (!format.empty()) {
       const auto found = root["format"].text();
-      if (found != format) root["format"].refuse("is '" + found + "' where '" + std::string(format) + "' is read");
+      if (found != format)
+        root["format"].refuse("is '" + found + "' where '" + std::string(format) + "' is read");
     }
     return root;
   } catch (const YAML::BadFile&) {

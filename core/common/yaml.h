@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -9,6 +7,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "core/common/file_error.h"
 
@@ -26,12 +27,12 @@ class YamlNode {
   [[nodiscard]] YamlNode operator[](std::size_t i) const;
   [[nodiscard]] std::size_t size() const;
 
-  [[nodiscard]] double number() const;             ///< finite
+  [[nodiscard]] double number() const;  ///< finite
   [[nodiscard]] long long integer() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool flag() const;
-  [[nodiscard]] std::vector<double> numbers() const;  ///< a list of finite numbers
-  [[nodiscard]] Eigen::Vector3d vector3() const;      ///< a list of three
+  [[nodiscard]] std::vector<double> numbers() const;    ///< a list of finite numbers
+  [[nodiscard]] Eigen::Vector3d vector3() const;        ///< a list of three
   [[nodiscard]] Eigen::Quaterniond quaternion() const;  ///< a list x, y, z, w; unit to 1 %, then normalised
 
   /// Refuses keys that are not among `known`, so that a misspelt key is not silently ignored.

@@ -46,8 +46,9 @@ struct Energy {
   }
 };
 
-/// Power iteration by repeated squaring: after k rounds the start has been multiplied 2^k times, so even close
-/// eigenvalues part. The shift makes every eigenvalue positive, hence the largest also the dominant one.
+/// Power iteration by repeated squaring: after k rounds the start has been multiplied 2^k times, so even
+/// close eigenvalues part. The shift makes every eigenvalue positive, hence the largest also the dominant
+/// one.
 Vector4d dominantEigenvector(const Matrix4d& A) {
   Matrix4d power = A + A.norm() * Matrix4d::Identity();
   const double start = power.trace();

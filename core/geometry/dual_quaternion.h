@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <span>
+
+#include <Eigen/Core>
 
 #include "core/geometry/rigid_transform.h"
 

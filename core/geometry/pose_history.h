@@ -9,8 +9,8 @@
 
 namespace mirrorarm {
 
-/// The last poses of one frame with their times, asked at any time between: so a camera image meets the flange
-/// pose of its own exposure. One thread; does not allocate.
+/// The last poses of one frame with their times, asked at any time between: so a camera image meets the
+/// flange pose of its own exposure. One thread; does not allocate.
 class PoseHistory {
  public:
   /// Adds a pose. A time not after the newest one is ignored, so that a repeated reading does no harm.

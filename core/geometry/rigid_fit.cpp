@@ -1,8 +1,9 @@
 #include "core/geometry/rigid_fit.h"
 
-#include <Eigen/SVD>
 #include <cassert>
 #include <cmath>
+
+#include <Eigen/SVD>
 
 namespace mirrorarm {
 
@@ -24,7 +25,8 @@ RigidTransform fitByKabsch(std::span<const Eigen::Vector3d> x, std::span<const E
   return makeTransform(R, mean_y - R * mean_x);
 }
 
-double fitRms(const RigidTransform& X, std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y) {
+double fitRms(const RigidTransform& X, std::span<const Eigen::Vector3d> x,
+              std::span<const Eigen::Vector3d> y) {
   assert(x.size() == y.size() && !x.empty());
   double sum = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) sum += (y[i] - X * x[i]).squaredNorm();

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
+
+#include <Eigen/Geometry>
 
 namespace mirrorarm {
 

@@ -7,7 +7,8 @@ namespace {
 
 void writeHeader(std::ostream& out, Eigen::Index joints) {
   out << "time_ns,permit,stop,guard";
-  for (const char* group : {"measured_q", "measured_v", "commanded_q", "commanded_v", "commanded_a", "sent_q", "sent_v"})
+  for (const char* group :
+       {"measured_q", "measured_v", "commanded_q", "commanded_v", "commanded_a", "sent_q", "sent_v"})
     for (Eigen::Index joint = 1; joint <= joints; ++joint) out << ',' << group << joint;
   out << '\n';
 }
@@ -23,9 +24,9 @@ void writeJoints(std::ostream& out, const robot::Joints& values, Eigen::Index jo
 void writeRow(std::ostream& out, const control::ServoState& state, Eigen::Index joints) {
   out << toNanoseconds(state.time) << ',' << id(state.permit) << ',' << id(state.stop) << ','
       << id(state.guard);
-  for (const auto* group : {&state.measured.q_rad, &state.measured.v_rad_s, &state.commanded.q_rad,
-                            &state.commanded.v_rad_s, &state.commanded.a_rad_s2, &state.sent.q_rad,
-                            &state.sent.v_rad_s})
+  for (const auto* group :
+       {&state.measured.q_rad, &state.measured.v_rad_s, &state.commanded.q_rad, &state.commanded.v_rad_s,
+        &state.commanded.a_rad_s2, &state.sent.q_rad, &state.sent.v_rad_s})
     writeJoints(out, *group, joints);
   out << '\n';
 }

@@ -9,8 +9,8 @@
 
 namespace mirrorarm::station {
 
-/// Writes the servo cycles before a stop as CSV: a row a cycle with measured and commanded joints, what the guard
-/// and the supervisor said. The error is the reason.
+/// Writes the servo cycles before a stop as CSV: a row a cycle with measured and commanded joints, what the
+/// guard and the supervisor said. The error is the reason.
 [[nodiscard]] Expected<void, std::string> writeBlackBox(const std::filesystem::path& file,
                                                         std::span<const control::ServoState> states);
 

@@ -9,8 +9,8 @@ using therapy::Phase;
 using tracking::TrackStatus;
 
 ControlStage::ControlStage(const Equipment& equipment, const StationSettings& settings,
-                           const robot::MotionLimits& limits, control::ServoLoop& servo, TrackingStage& tracking,
-                           RecorderStage& recorder)
+                           const robot::MotionLimits& limits, control::ServoLoop& servo,
+                           TrackingStage& tracking, RecorderStage& recorder)
     : X_FC_(equipment.X_FC),
       X_FE_(equipment.X_FE),
       midplane_normal_B_(settings.midplane_normal_B),
@@ -189,7 +189,8 @@ void ControlStage::answer(Answer given) {
 }
 
 void ControlStage::follow() {
-  if (state_.phase != Phase::kTraining || stopLatched() || !state_.target_fresh || now_ < next_follow_) return;
+  if (state_.phase != Phase::kTraining || stopLatched() || !state_.target_fresh || now_ < next_follow_)
+    return;
   next_follow_ = now_ + toClock(follow_period_);
   const auto step = follower_.step(state_.X_BE_goal, state_.servo.commanded, state_.servo.time);
   state_.follow = step.outcome;

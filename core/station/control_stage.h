@@ -17,8 +17,8 @@
 
 namespace mirrorarm::station {
 
-/// The session's mind: takes commands and frame reports, keeps the phase, turns target poses into goals and goals
-/// into trajectories, samples for the record. step() belongs to the control thread.
+/// The session's mind: takes commands and frame reports, keeps the phase, turns target poses into goals and
+/// goals into trajectories, samples for the record. step() belongs to the control thread.
 class ControlStage {
  public:
   ControlStage(const Equipment& equipment, const StationSettings& settings, const robot::MotionLimits& limits,

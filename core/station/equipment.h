@@ -15,7 +15,7 @@ struct Equipment {
   robot::RobotLink* robot = nullptr;
   camera::StereoRig rig;
   robot::ArmDescription arm;
-  std::vector<robot::Capsule> attached;                ///< camera bar and sling, fixed to the flange
+  std::vector<robot::Capsule> attached;              ///< camera bar and sling, fixed to the flange
   RigidTransform X_FC = RigidTransform::Identity();  ///< camera on the flange (hand-eye)
   RigidTransform X_FE = RigidTransform::Identity();  ///< sling on the flange
   bool simulated = false;

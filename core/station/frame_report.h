@@ -12,10 +12,10 @@ namespace mirrorarm::station {
 struct FrameReport {
   TimePoint exposed_at{};
   std::uint64_t sequence = 0;
-  bool has_target = false;          ///< a model is taught
-  tracking::TrackedTarget target;   ///< lost while there is no model
-  int taught_markers = 0;           ///< while teaching: markers so far
-  int teachings = 0;                ///< lessons that ended since the start, well or badly
+  bool has_target = false;         ///< a model is taught
+  tracking::TrackedTarget target;  ///< lost while there is no model
+  int taught_markers = 0;          ///< while teaching: markers so far
+  int teachings = 0;               ///< lessons that ended since the start, well or badly
   std::optional<tracking::TeachingError> teaching_error;  ///< of the last lesson
 };
 

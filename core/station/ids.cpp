@@ -5,22 +5,32 @@ namespace mirrorarm::station {
 
 std::string_view id(Answer answer) {
   switch (answer) {
-    case Answer::kAccepted: return "accepted";
-    case Answer::kNotNow: return "not_now";
-    case Answer::kStopLatched: return "stop_latched";
-    case Answer::kTargetUnseen: return "target_unseen";
-    case Answer::kTooFewMarkers: return "too_few_markers";
-    case Answer::kQueueFull: return "queue_full";
+    case Answer::kAccepted:
+      return "accepted";
+    case Answer::kNotNow:
+      return "not_now";
+    case Answer::kStopLatched:
+      return "stop_latched";
+    case Answer::kTargetUnseen:
+      return "target_unseen";
+    case Answer::kTooFewMarkers:
+      return "too_few_markers";
+    case Answer::kQueueFull:
+      return "queue_full";
   }
   return "unknown";
 }
 
 std::string_view id(Recording recording) {
   switch (recording) {
-    case Recording::kIdle: return "idle";
-    case Recording::kWriting: return "writing";
-    case Recording::kComplete: return "complete";
-    case Recording::kFailed: return "failed";
+    case Recording::kIdle:
+      return "idle";
+    case Recording::kWriting:
+      return "writing";
+    case Recording::kComplete:
+      return "complete";
+    case Recording::kFailed:
+      return "failed";
   }
   return "unknown";
 }

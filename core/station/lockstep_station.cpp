@@ -7,7 +7,8 @@
 namespace mirrorarm::station {
 namespace {
 
-/// What stands in for the computing time of a frame, which a repeatable run cannot measure: more than it takes.
+/// What stands in for the computing time of a frame, which a repeatable run cannot measure: more than it
+/// takes.
 constexpr Seconds kProcessing{0.010};
 
 /// A beat of its own for each stage.
@@ -62,7 +63,8 @@ struct LockstepStation::Body {
   Beat recorder_beat{kRecorderPeriod};
 };
 
-LockstepStation::LockstepStation(const Equipment& equipment, const StationSettings& settings, ManualTime& time)
+LockstepStation::LockstepStation(const Equipment& equipment, const StationSettings& settings,
+                                 ManualTime& time)
     : body_(std::make_unique<Body>(equipment, settings, time)) {}
 
 LockstepStation::~LockstepStation() { body_->stages.recorder.step(); }

@@ -9,9 +9,9 @@
 
 namespace mirrorarm::station {
 
-/// The same stages without threads, run in the order of their due times on a clock that this class sets: as fast
-/// as the machine computes, and the same for the same seed. For tests, experiments and `session --fast`; its
-/// equipment must be simulated and answer without waiting. One thread.
+/// The same stages without threads, run in the order of their due times on a clock that this class sets: as
+/// fast as the machine computes, and the same for the same seed. For tests, experiments and `session --fast`;
+/// its equipment must be simulated and answer without waiting. One thread.
 class LockstepStation final : public StationPort {
  public:
   /// `time` is the clock of the simulated equipment and outlives the station.

@@ -27,14 +27,16 @@ records::FromStore<std::int64_t> addPatientWithoutName(records::Store& store) {
   for (std::size_t number = known->size() + 1;; ++number) {
     std::array<char, 24> code{};
     std::snprintf(code.data(), code.size(), "P-%04zu", number);
-    const bool taken = std::ranges::any_of(*known, [&](const auto& patient) { return patient.code == code.data(); });
+    const bool taken =
+        std::ranges::any_of(*known, [&](const auto& patient) { return patient.code == code.data(); });
     if (!taken) return store.addPatient({0, code.data(), "", 0, ""});
   }
 }
 
 }  // namespace
 
-RecorderStage::RecorderStage(const StationSettings& settings, const robot::MotionLimits& limits, bool simulated)
+RecorderStage::RecorderStage(const StationSettings& settings, const robot::MotionLimits& limits,
+                             bool simulated)
     : settings_(settings), limits_(limits), simulated_(simulated), patient_(settings.patient_id) {
   if (settings.store_file.empty()) return;
   auto store = records::Store::open(settings.store_file);
@@ -48,7 +50,9 @@ void RecorderStage::hand(const Item& item) noexcept {
   if (!items_.push(item)) refused_.fetch_add(1, std::memory_order_relaxed);
 }
 
-void RecorderStage::addEvent(double time_s, std::string_view event) noexcept { hand(Event{time_s, shortText(event)}); }
+void RecorderStage::addEvent(double time_s, std::string_view event) noexcept {
+  hand(Event{time_s, shortText(event)});
+}
 
 void RecorderStage::finish(std::string_view reason) noexcept { hand(Finish{shortText(reason)}); }
 
@@ -99,7 +103,8 @@ void RecorderStage::write(const Event& event) {
 
 void RecorderStage::write(const BlackBox& box) {
   if (settings_.black_box_folder.empty()) return;
-  const auto file = settings_.black_box_folder / ("stop-" + isoUtcNow() + "-" + std::string(id(box.reason)) + ".csv");
+  const auto file =
+      settings_.black_box_folder / ("stop-" + isoUtcNow() + "-" + std::string(id(box.reason)) + ".csv");
   const auto written = writeBlackBox(file, *box.states);
   if (!written) log(LogLevel::kError, "records: " + written.error());
 }

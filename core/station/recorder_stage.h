@@ -17,8 +17,8 @@
 
 namespace mirrorarm::station {
 
-/// Writes sessions, samples, events and black boxes, so that no other thread ever waits for a disc. The control
-/// thread hands over, step() belongs to the recorder thread.
+/// Writes sessions, samples, events and black boxes, so that no other thread ever waits for a disc. The
+/// control thread hands over, step() belongs to the recorder thread.
 class RecorderStage {
  public:
   /// Throws std::runtime_error where the store cannot be opened.

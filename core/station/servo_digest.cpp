@@ -9,7 +9,9 @@ constexpr Seconds kEndTolerance{0.010};
 }  // namespace
 
 ServoDigest::ServoDigest(const robot::ArmDescription& arm, Seconds period)
-    : kinematics_(arm), period_s_(period.count()), cycles_(std::make_unique<RingLog<control::ServoState, kCycles>>()) {
+    : kinematics_(arm),
+      period_s_(period.count()),
+      cycles_(std::make_unique<RingLog<control::ServoState, kCycles>>()) {
   peaks_ = {robot::Joints::Zero(arm.jointCount()), robot::Joints::Zero(arm.jointCount())};
 }
 
@@ -28,7 +30,9 @@ void ServoDigest::notePeaks(const robot::Joints& v_rad_s) {
   peaks_.a_rad_s2 = peaks_.a_rad_s2.cwiseMax((v_rad_s - last_sent_v_rad_s_).cwiseAbs() / period_s_);
 }
 
-std::optional<RigidTransform> ServoDigest::flangeAt(TimePoint time) const { return flange_.at(time, kEndTolerance); }
+std::optional<RigidTransform> ServoDigest::flangeAt(TimePoint time) const {
+  return flange_.at(time, kEndTolerance);
+}
 
 robot::Joints ServoDigest::jointsAt(TimePoint time) const {
   std::size_t i = cycles_->size();

@@ -11,8 +11,8 @@
 
 namespace mirrorarm::station {
 
-/// What the robot did, gathered from every servo cycle: where the flange was at any time of the last seconds, how
-/// hard it was driven, and the black box. Control thread only.
+/// What the robot did, gathered from every servo cycle: where the flange was at any time of the last seconds,
+/// how hard it was driven, and the black box. Control thread only.
 class ServoDigest {
  public:
   /// `period` is the time that one command takes on the wire.

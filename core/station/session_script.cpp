@@ -22,16 +22,26 @@ SessionScript::Progress SessionScript::step(TimePoint now) {
   now_ = now;
   if (stage_since_ == TimePoint{}) stage_since_ = now;
   switch (stage_) {
-    case Stage::kWait: return waitForMarkers();
-    case Stage::kTeach: return teach();
-    case Stage::kEndTeaching: return afterAnswer(Stage::kRest);
-    case Stage::kRest: return settle(Action::kAlign, Stage::kAlign);
-    case Stage::kAlign: return start();
-    case Stage::kStart: return afterAnswer(Stage::kTrain);
-    case Stage::kTrain: return train();
-    case Stage::kRestart: return settle(Action::kStart, Stage::kStart);
-    case Stage::kFinish: return waitForRecord();
-    case Stage::kDone: return failure_.empty() ? Progress::kDone : Progress::kFailed;
+    case Stage::kWait:
+      return waitForMarkers();
+    case Stage::kTeach:
+      return teach();
+    case Stage::kEndTeaching:
+      return afterAnswer(Stage::kRest);
+    case Stage::kRest:
+      return settle(Action::kAlign, Stage::kAlign);
+    case Stage::kAlign:
+      return start();
+    case Stage::kStart:
+      return afterAnswer(Stage::kTrain);
+    case Stage::kTrain:
+      return train();
+    case Stage::kRestart:
+      return settle(Action::kStart, Stage::kStart);
+    case Stage::kFinish:
+      return waitForRecord();
+    case Stage::kDone:
+      return failure_.empty() ? Progress::kDone : Progress::kFailed;
   }
   return Progress::kFailed;
 }
@@ -50,7 +60,8 @@ SessionScript::Progress SessionScript::teach() {
 
 // Aligned and started at rest: the patient sits still and the robot stands.
 SessionScript::Progress SessionScript::settle(Action action, Stage next) {
-  if (waited() < kPatientSettles || !seen_.control.target_fresh || !seen_.control.servo.at_rest) return patience();
+  if (waited() < kPatientSettles || !seen_.control.target_fresh || !seen_.control.servo.at_rest)
+    return patience();
   return ask(action, next);
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/camera/stereo_frame.h"
 #include "core/control/follower.h"
@@ -21,10 +22,10 @@ namespace mirrorarm::station {
 struct TrackedFrame {
   camera::StereoFrame frame;
   vision::StereoObservation observation;
-  std::vector<tracking::TrackedTarget> targets;  ///< empty before a target is taught
+  std::vector<tracking::TrackedTarget> targets;    ///< empty before a target is taught
   std::shared_ptr<const tracking::Target> target;  ///< the taught model; nullptr before
-  double vision_ms = 0.0;         ///< from images to points
-  double tracking_ms = 0.0;       ///< from points to poses
+  double vision_ms = 0.0;                          ///< from images to points
+  double tracking_ms = 0.0;                        ///< from points to poses
   std::uint64_t lost_frames = 0;  ///< by the source or because tracking was busy, since the start
   int reteachings = 0;            ///< how often the model was taught anew in this session
 };
@@ -40,8 +41,8 @@ struct ControlState {
   RigidTransform X_BE_goal = RigidTransform::Identity();  ///< good while `has_goal`
   bool target_fresh = false;
   bool has_goal = false;
-  robot::Trajectory trajectory;  ///< in force, for drawing
-  double session_s = 0.0;        ///< since the session began, 0 before
+  robot::Trajectory trajectory;            ///< in force, for drawing
+  double session_s = 0.0;                  ///< since the session began, 0 before
   Answer last_answer = Answer::kAccepted;  ///< to the newest command taken from the queue
   std::uint32_t answers = 0;               ///< commands answered since the start
   int taught_markers = 0;                  ///< while teaching: markers so far
@@ -60,9 +61,9 @@ enum class Recording : std::uint8_t {
 
 struct RecordState {
   Recording recording = Recording::kIdle;
-  std::int64_t session = 0;             ///< its id in the store, 0 before
-  therapy::SessionMeasures measures;    ///< of the last seconds while writing, of the session when complete
-  std::uint64_t lost_samples = 0;       ///< samples that did not reach the store
+  std::int64_t session = 0;           ///< its id in the store, 0 before
+  therapy::SessionMeasures measures;  ///< of the last seconds while writing, of the session when complete
+  std::uint64_t lost_samples = 0;     ///< samples that did not reach the store
 };
 
 /// All that a screen needs, taken at its own beat.

@@ -39,7 +39,8 @@ struct Station::Body {
     while (!stop.stop_requested()) {
       const auto frame = equipment.cameras->next(kPatience);
       if (frame) {
-        static_cast<void>(frames.put(*frame));  // the gap in the sequence tells of a frame that was overwritten
+        static_cast<void>(
+            frames.put(*frame));  // the gap in the sequence tells of a frame that was overwritten
         frame_came.notify();
       } else if (frame.error() != camera::NoFrame::kTimeout) {
         return;  // the supervisor notices that no frame comes any more
@@ -50,7 +51,8 @@ struct Station::Body {
   void track(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       frame_came.waitFor(kPatience);
-      if (const auto* frame = frames.take()) guarded([&] { stages.control.report(stages.tracking.process(*frame)); });
+      if (const auto* frame = frames.take())
+        guarded([&] { stages.control.report(stages.tracking.process(*frame)); });
     }
   }
 
@@ -83,7 +85,8 @@ struct Station::Body {
   Stages stages;
   LatestValue<camera::StereoFrame> frames;
   Signal frame_came;
-  // Last members, joined from the last to the first: the cameras end before the robot, the record at the very end.
+  // Last members, joined from the last to the first: the cameras end before the robot, the record at the very
+  // end.
   std::jthread recorder;
   std::jthread servo;
   std::jthread control;

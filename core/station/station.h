@@ -8,8 +8,8 @@
 
 namespace mirrorarm::station {
 
-/// The workstation in real time. Owns the threads and joins the rooms: acquisition, tracking, control, servo and
-/// recorder thread. Destroying it brings the robot to rest and closes the record.
+/// The workstation in real time. Owns the threads and joins the rooms: acquisition, tracking, control, servo
+/// and recorder thread. Destroying it brings the robot to rest and closes the record.
 class Station final : public StationPort {
  public:
   /// Throws std::runtime_error where the store cannot be opened or the limits profile is unknown.

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "core/control/follower.h"
 #include "core/control/supervisor.h"

@@ -23,7 +23,8 @@ TrackingStage::TrackingStage(const camera::StereoRig& rig, const StationSettings
 }
 
 FrameReport TrackingStage::process(const camera::StereoFrame& frame) {
-  if (last_sequence_ && frame.sequence > *last_sequence_ + 1) lost_frames_ += frame.sequence - *last_sequence_ - 1;
+  if (last_sequence_ && frame.sequence > *last_sequence_ + 1)
+    lost_frames_ += frame.sequence - *last_sequence_ - 1;
   last_sequence_ = frame.sequence;
   obeyOrders();
 
@@ -50,8 +51,12 @@ FrameReport TrackingStage::process(const camera::StereoFrame& frame) {
 void TrackingStage::obeyOrders() {
   while (const auto order = orders_.pop()) {
     switch (*order) {
-      case Order::kBeginLesson: lesson_.emplace(teacher_settings_); break;
-      case Order::kEndLesson: endLesson(); break;
+      case Order::kBeginLesson:
+        lesson_.emplace(teacher_settings_);
+        break;
+      case Order::kEndLesson:
+        endLesson();
+        break;
       case Order::kForget:
         lesson_.reset();
         target_.reset();

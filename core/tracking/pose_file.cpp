@@ -13,8 +13,7 @@ void writePose(std::ostream& out, const TrackedTarget& answer) {
   const Eigen::Vector3d p = answer.X_CT.translation();
   const Eigen::Quaterniond q = rotationOf(answer.X_CT);
   out << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << q.x() << ',' << q.y() << ',' << q.z() << ','
-      << q.w() << ',' << answer.rms_m << ',' << answer.matched_count << ','
-      << shiftSigma(answer) << ','
+      << q.w() << ',' << answer.rms_m << ',' << answer.matched_count << ',' << shiftSigma(answer) << ','
       << turnSigma(answer);
 }
 

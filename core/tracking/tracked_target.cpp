@@ -48,6 +48,8 @@ double shiftSigma(const TrackedTarget& target) {
   return largestSigma(target.covariance.bottomRightCorner<3, 3>());
 }
 
-double turnSigma(const TrackedTarget& target) { return largestSigma(target.covariance.topLeftCorner<3, 3>()); }
+double turnSigma(const TrackedTarget& target) {
+  return largestSigma(target.covariance.topLeftCorner<3, 3>());
+}
 
 }  // namespace mirrorarm::tracking

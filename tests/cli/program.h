@@ -1,15 +1,15 @@
 #pragma once
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <sys/wait.h>
+
+#include <nlohmann/json.hpp>
 
 namespace mirrorarm::cli {
 
@@ -61,11 +61,14 @@ inline std::string textOf(const std::filesystem::path& file) {
 inline Run run(const std::string& arguments) {
   const Scratch scratch;
   const auto out = scratch / "out", err = scratch / "err";
-  const std::string line = std::string(MIRRORARM_CLI) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+  const std::string line =
+      std::string(MIRRORARM_CLI) + " " + arguments + " >" + out.string() + " 2>" + err.string();
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, textOf(out), textOf(err)};
 }
 
-inline std::filesystem::path shared(const std::string& path) { return std::filesystem::path(SHARED_DATA) / path; }
+inline std::filesystem::path shared(const std::string& path) {
+  return std::filesystem::path(SHARED_DATA) / path;
+}
 
 }  // namespace mirrorarm::cli

@@ -6,7 +6,8 @@
 namespace mirrorarm::cli {
 namespace {
 
-void expectRefused(const std::string& arguments, const std::string& named, const std::filesystem::path& out = {}) {
+void expectRefused(const std::string& arguments, const std::string& named,
+                   const std::filesystem::path& out = {}) {
   const auto refused = run(arguments);
   EXPECT_EQ(refused.exit_code, 2) << arguments << "\n" << refused.err;
   EXPECT_EQ(refused.lines(), 1) << arguments << "\n" << refused.err;
@@ -49,12 +50,14 @@ TEST(BadInput, WrongTargetsNameTheLine) {
     return "track --clouds " + clouds.string() + " --target " + target.string() + " --out " + out.string();
   };
   expectRefused(track(scratch.write("format.yaml", "format: mirrorarm/target/9\n")), "format.yaml:1", out);
-  expectRefused(track(scratch.write("few.yaml", "format: mirrorarm/target/1\nname: a\nmarker_diameter_m: 0.007\n"
-                                                "markers_m:\n  - [0, 0, 0]\n")),
+  expectRefused(track(scratch.write("few.yaml",
+                                    "format: mirrorarm/target/1\nname: a\nmarker_diameter_m: 0.007\n"
+                                    "markers_m:\n  - [0, 0, 0]\n")),
                 "few.yaml", out);
   expectRefused(track(scratch.write("cut.yaml", kTarget.substr(0, 60))), "cut.yaml", out);
   auto nan = kTarget;
-  expectRefused(track(scratch.write("nan.yaml", nan.replace(nan.find("0.05"), 4, ".nan"))), "nan.yaml:6", out);
+  expectRefused(track(scratch.write("nan.yaml", nan.replace(nan.find("0.05"), 4, ".nan"))), "nan.yaml:6",
+                out);
 }
 
 TEST(BadInput, WrongCloudsNameTheLine) {
@@ -68,7 +71,8 @@ TEST(BadInput, WrongCloudsNameTheLine) {
   expectRefused(track(scratch.write("column.csv", "index,time_ns,x_m,y_m\n0,0,0,0\n")), "z_m", out);
   expectRefused(track(scratch.write("word.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n0,0,left,0,0\n")),
                 "word.csv:3", out);
-  expectRefused(track(scratch.write("cut.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n1,4")), "cut.csv:3", out);
+  expectRefused(track(scratch.write("cut.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n1,4")), "cut.csv:3",
+                out);
 }
 
 TEST(BadInput, BrokenImages) {
@@ -84,16 +88,19 @@ TEST(BadInput, WrongRecordings) {
   const auto target = scratch.write("target.yaml", kTarget);
   std::filesystem::create_directories(scratch / "recording");
   scratch.write("recording/rig.yaml", "format: mirrorarm/rig/1\nimage_size_px: [1296]\n");
-  scratch.write("recording/frames.csv", "index,time_ns,exposure_us,left,right\n0,0,1500,left/0.png,right/0.png\n");
-  expectRefused("track " + (scratch / "recording").string() + " --target " + target.string() + " --out " + out.string(),
-                "rig.yaml:2", out);
+  scratch.write("recording/frames.csv",
+                "index,time_ns,exposure_us,left,right\n0,0,1500,left/0.png,right/0.png\n");
+  expectRefused(
+      "track " + (scratch / "recording").string() + " --target " + target.string() + " --out " + out.string(),
+      "rig.yaml:2", out);
 }
 
 TEST(BadInput, WrongMotion) {
   const Scratch scratch;
   const auto out = scratch / "session";
   const auto cut = scratch.write("cut.trc", "PathFileType\t4\t(X/Y/Z)\tcut.trc\nDataRate\tCameraRate\n");
-  expectRefused("session --fast --seconds 2 --motion " + cut.string() + " --out " + out.string(), "cut.trc", out);
+  expectRefused("session --fast --seconds 2 --motion " + cut.string() + " --out " + out.string(), "cut.trc",
+                out);
   expectRefused("session --fast --seconds 2 --exercise somersault --out " + out.string(), "somersault", out);
 }
 
@@ -101,7 +108,8 @@ TEST(BadInput, WrongPosePairs) {
   const Scratch scratch;
   const auto out = scratch / "hand_eye.yaml";
   const auto pairs = scratch.write(
-      "pairs.csv", "bx_m,by_m,bz_m,bqx,bqy,bqz,bqw,cx_m,cy_m,cz_m,cqx,cqy,cqz,cqw\n0,0,0,0,0,0,1,0,0,0,0,0,0,1\n");
+      "pairs.csv",
+      "bx_m,by_m,bz_m,bqx,bqy,bqz,bqw,cx_m,cy_m,cz_m,cqx,cqy,cqz,cqw\n0,0,0,0,0,0,1,0,0,0,0,0,0,1\n");
   expectRefused("calibrate hand-eye " + pairs.string() + " --out " + out.string(), "pairs.csv", out);
 }
 

@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "core/common/csv.h"
 #include "core/geometry/rigid_transform.h"
@@ -48,7 +48,8 @@ double poseRms_mm(const std::filesystem::path& poses_file, const std::filesystem
   EXPECT_EQ(poses.rows().size(), truth.rows().size());
   double sum = 0.0;
   for (std::size_t i = 0; i < poses.rows().size(); ++i)
-    sum += (poseIn(poses, poses.rows()[i]).translation() - poseIn(truth, truth.rows()[i]).translation()).squaredNorm();
+    sum += (poseIn(poses, poses.rows()[i]).translation() - poseIn(truth, truth.rows()[i]).translation())
+               .squaredNorm();
   return 1e3 * std::sqrt(sum / static_cast<double>(poses.rows().size()));
 }
 
@@ -58,8 +59,8 @@ TEST(MainJobs, ThePapersCuboidIsTrackedToATwentiethOfAMillimetre) {
   const auto scene = std::filesystem::path(RESOURCES) / "scenes/paper_cuboid.yaml";
   const auto simulated = run("simulate " + scene.string() + " --out " + recording.string());
   ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
-  const auto tracked = run("track " + recording.string() + " --target " + (recording / "target.yaml").string() +
-                           " --json --out " + poses.string());
+  const auto tracked = run("track " + recording.string() + " --target " +
+                           (recording / "target.yaml").string() + " --json --out " + poses.string());
   ASSERT_EQ(tracked.exit_code, 0) << tracked.err;
   EXPECT_EQ(tracked.json()["tracked_share"], 1.0);
   EXPECT_LE(poseRms_mm(poses, recording / "truth.csv"), 0.05);
@@ -78,7 +79,8 @@ TEST(MainJobs, AChessboardCalibratesAStereoRig) {
     std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), scratch / side / name);
   }
   const auto rig = scratch / "rig.yaml";
-  const std::string call = "calibrate stereo " + (scratch / "left").string() + " " + (scratch / "right").string() +
+  const std::string call = "calibrate stereo " + (scratch / "left").string() + " " +
+                           (scratch / "right").string() +
                            " --board chessboard:9x6:0.025 --model brown_conrady --json --out " + rig.string();
   const auto all = run(call);
   ASSERT_EQ(all.exit_code, 0) << all.err;

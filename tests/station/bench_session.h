@@ -1,9 +1,9 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <memory>
+
+#include <gtest/gtest.h>
 
 #include "core/station/bench_equipment.h"
 #include "core/station/lockstep_station.h"
@@ -32,7 +32,8 @@ inline simulation::BenchSettings benchFor(const std::string& exercise, bool own_
 /// A bench and a lockstep station over it, worked by a script: seconds of session in fractions of them.
 class BenchSession {
  public:
-  explicit BenchSession(const ScriptSettings& script, const simulation::BenchSettings& bench = benchFor("reach")) {
+  explicit BenchSession(const ScriptSettings& script,
+                        const simulation::BenchSettings& bench = benchFor("reach")) {
     time_.set(TimePoint(std::chrono::seconds(1)));
     auto made = simulation::Bench::make(bench, time_);
     if (!made) throw std::runtime_error(describe(made.error()));
@@ -79,6 +80,8 @@ class BenchSession {
   Snapshot last_;
 };
 
-inline bool isTraining(const Snapshot& snapshot) { return snapshot.control.phase == therapy::Phase::kTraining; }
+inline bool isTraining(const Snapshot& snapshot) {
+  return snapshot.control.phase == therapy::Phase::kTraining;
+}
 
 }  // namespace mirrorarm::station

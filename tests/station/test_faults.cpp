@@ -34,7 +34,8 @@ class Fault : public ::testing::Test {
     EXPECT_GT(samples->size(), 40u);
     const auto events = (*store)->events(1);
     ASSERT_TRUE(events);
-    EXPECT_TRUE(std::any_of(events->begin(), events->end(), [&](const auto& one) { return one.event == event; }));
+    EXPECT_TRUE(
+        std::any_of(events->begin(), events->end(), [&](const auto& one) { return one.event == event; }));
   }
 
   BenchSession session_;
@@ -65,7 +66,8 @@ TEST_F(Fault, StopIsLatchedUntilItIsResetAndResettingStartsNothing) {
   const auto before = session_.bench().truthAt(session_.wait(Seconds(0.1)).control.time).X_BF;
   const auto& seen = session_.wait(Seconds(1.0));
   EXPECT_EQ(seen.control.servo.stop, StopReason::kNone);
-  EXPECT_LT((before.translation() - session_.bench().truthAt(seen.control.time).X_BF.translation()).norm(), 1e-4);
+  EXPECT_LT((before.translation() - session_.bench().truthAt(seen.control.time).X_BF.translation()).norm(),
+            1e-4);
 }
 
 TEST_F(Fault, EveryStopLeavesABlackBox) {

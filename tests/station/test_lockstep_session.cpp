@@ -15,7 +15,7 @@ TEST(LockstepSession, FollowsTheArmWithinTheLimitsAndRecordsIt) {
   EXPECT_GT(record.measures.tracked_share, 0.99);
   EXPECT_GT(record.measures.range_mm, 50.0);
   EXPECT_GT(record.measures.gain, 0.7);
-  EXPECT_GT(record.measures.lag_ms, 50.0);   // camera, transfer and a quintic take their time
+  EXPECT_GT(record.measures.lag_ms, 50.0);  // camera, transfer and a quintic take their time
   EXPECT_LT(record.measures.lag_ms, 700.0);
   EXPECT_LE(record.measures.joint_speed_ratio, 1.0 + 1e-9);
   EXPECT_LE(record.measures.joint_acceleration_ratio, 1.0 + 1e-9);

@@ -70,7 +70,8 @@ TEST_F(TargetFile, RefusesWhatNoPoseCanComeFrom) {
   const auto close = refusalOf(yaml("[[0, 0, 0], [0.1, 0, 0], [0.1, 0.005, 0], [0, 0.1, 0]]"));
   EXPECT_NE(close.reason.find("closer"), std::string::npos) << close.reason;
   std::string crowd = "[";
-  for (int i = 0; i < 65; ++i) crowd.append("[").append(std::to_string(i)).append(i % 2 ? ", 1, 0]," : ", 0, 0],");
+  for (int i = 0; i < 65; ++i)
+    crowd.append("[").append(std::to_string(i)).append(i % 2 ? ", 1, 0]," : ", 0, 0],");
   const auto many = refusalOf(yaml(crowd + "]"));
   EXPECT_NE(many.reason.find("more than 64"), std::string::npos) << many.reason;
 }
