@@ -6,6 +6,7 @@
 #include "core/camera/image_file.h"
 #include "tests/calibration/board_views.h"
 #include "tests/calibration/fuzz.h"
+#include "tests/common/scratch_folder.h"
 
 namespace mirrorarm::calibration {
 namespace {
@@ -22,7 +23,7 @@ std::string refusalOf(const FromFile<BoardImages>& read) {
 }
 
 TEST(BoardImages, FoldersThatDoNotFitAreRefusedByName) {
-  const TestFolder folder("board_images");
+  const test::ScratchFolder folder;
   EXPECT_EQ(refusalOf(readBoardImages(folder / "none", kBoard)), "none: is no folder that can be read");
   grey(folder / "left" / "l1.png");
   grey(folder / "left" / "l2.png");
@@ -44,7 +45,7 @@ TEST(BoardImages, FoldersThatDoNotFitAreRefusedByName) {
 }
 
 TEST(BoardImages, WhereNoBoardIsTheNamesAreKept) {
-  const TestFolder folder("board_images_empty");
+  const test::ScratchFolder folder;
   grey(folder / "both" / "left1.png");
   grey(folder / "both" / "right1.png");
   writeText(folder / "both/notes.txt", "left");
@@ -98,7 +99,7 @@ CameraRecord example(camera::LensModel model) {
 }
 
 TEST(CameraFile, ComesBackAsWritten) {
-  const TestFolder folder("camera_file");
+  const test::ScratchFolder folder;
   for (const auto model : {camera::LensModel::kBrownConrady, camera::LensModel::kKannalaBrandt}) {
     const auto written = example(model);
     ASSERT_TRUE(writeCameraFile(folder / "camera.yaml", written));
@@ -115,7 +116,7 @@ TEST(CameraFile, ComesBackAsWritten) {
 }
 
 TEST(CameraFile, DamagedFilesNeverCrash) {
-  const TestFolder folder("camera_file_fuzz");
+  const test::ScratchFolder folder;
   ASSERT_TRUE(writeCameraFile(folder / "camera.yaml", example(camera::LensModel::kKannalaBrandt)));
   fuzz(folder / "camera.yaml", 300, [](const auto& file) {
     const auto read = readCameraFile(file);

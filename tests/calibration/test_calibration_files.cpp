@@ -4,6 +4,7 @@
 #include "core/calibration/pose_pairs.h"
 #include "tests/calibration/fuzz.h"
 #include "tests/calibration/stations.h"
+#include "tests/common/scratch_folder.h"
 
 namespace mirrorarm::calibration {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr auto kHeader = "bx_m,by_m,bz_m,bqx,bqy,bqz,bqw,cx_m,cy_m,cz_m,cqx,cqy,cqz,cqw\n";
 
 TEST(PosePairs, ComeBackAsWritten) {
-  const TestFolder folder("pose_pairs");
+  const test::ScratchFolder folder;
   StationMaker maker;
   const auto stations = maker.stations(4);
   ASSERT_TRUE(writePosePairs(folder / "pairs.csv", stations));
@@ -25,7 +26,7 @@ TEST(PosePairs, ComeBackAsWritten) {
 }
 
 std::string refusalOf(const std::string& text) {
-  const TestFolder folder("pose_pairs_refused");
+  const test::ScratchFolder folder;
   writeText(folder / "pairs.csv", text);
   const auto read = readPosePairs(folder / "pairs.csv");
   return read ? "" : std::to_string(read.error().line) + ": " + read.error().reason;
@@ -44,7 +45,7 @@ TEST(PosePairs, RefusalsNameTheLine) {
 }
 
 TEST(PosePairs, DamagedFilesNeverCrash) {
-  const TestFolder folder("pose_pairs_fuzz");
+  const test::ScratchFolder folder;
   StationMaker maker;
   ASSERT_TRUE(writePosePairs(folder / "pairs.csv", maker.stations(3)));
   fuzz(folder / "pairs.csv", 300, [](const auto& file) {
@@ -63,7 +64,7 @@ HandEye example(CameraMount mount) {
 }
 
 TEST(HandEyeFile, ComesBackAsWritten) {
-  const TestFolder folder("hand_eye");
+  const test::ScratchFolder folder;
   for (const auto mount : {CameraMount::kInHand, CameraMount::kToHand}) {
     const auto written = example(mount);
     ASSERT_TRUE(writeHandEye(folder / "hand_eye.yaml", written));
@@ -80,7 +81,7 @@ TEST(HandEyeFile, ComesBackAsWritten) {
 }
 
 TEST(HandEyeFile, ReadsTheShortestForm) {
-  const TestFolder folder("hand_eye_short");
+  const test::ScratchFolder folder;
   writeText(folder / "h.yaml",
             "format: mirrorarm/hand-eye/1\n"
             "flange_from_camera: {translation_m: [0.1, 0, 0], rotation_xyzw: [0, 0, 0, 1]}\n");
@@ -92,7 +93,7 @@ TEST(HandEyeFile, ReadsTheShortestForm) {
 }
 
 TEST(HandEyeFile, Refuses) {
-  const TestFolder folder("hand_eye_refused");
+  const test::ScratchFolder folder;
   const std::string format = "format: mirrorarm/hand-eye/1\n";
   const std::string pose = "_from_camera: {translation_m: [0, 0, 0], rotation_xyzw: [0, 0, 0, 1]}\n";
   for (const std::string& text :
@@ -106,7 +107,7 @@ TEST(HandEyeFile, Refuses) {
 }
 
 TEST(HandEyeFile, DamagedFilesNeverCrash) {
-  const TestFolder folder("hand_eye_fuzz");
+  const test::ScratchFolder folder;
   ASSERT_TRUE(writeHandEye(folder / "h.yaml", example(CameraMount::kInHand)));
   fuzz(folder / "h.yaml", 300, [](const auto& file) {
     const auto read = readHandEye(file);

@@ -28,7 +28,7 @@ TEST(BadInput, WrongUse) {
 }
 
 TEST(BadInput, MissingFiles) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "out";
   const auto missing = (scratch / "missing").string();
   expectRefused("session --fast --seconds 2 --motion " + missing + " --out " + out.string(), "missing", out);
@@ -43,71 +43,71 @@ TEST(BadInput, MissingFiles) {
 }
 
 TEST(BadInput, WrongTargetsNameTheLine) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "poses.csv";
-  const auto clouds = scratch.write("clouds.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n");
+  const auto clouds = scratch.holding("clouds.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n");
   const auto track = [&](const std::filesystem::path& target) {
     return "track --clouds " + clouds.string() + " --target " + target.string() + " --out " + out.string();
   };
-  expectRefused(track(scratch.write("format.yaml", "format: mirrorarm/target/9\n")), "format.yaml:1", out);
-  expectRefused(track(scratch.write("few.yaml",
-                                    "format: mirrorarm/target/1\nname: a\nmarker_diameter_m: 0.007\n"
-                                    "markers_m:\n  - [0, 0, 0]\n")),
+  expectRefused(track(scratch.holding("format.yaml", "format: mirrorarm/target/9\n")), "format.yaml:1", out);
+  expectRefused(track(scratch.holding("few.yaml",
+                                      "format: mirrorarm/target/1\nname: a\nmarker_diameter_m: 0.007\n"
+                                      "markers_m:\n  - [0, 0, 0]\n")),
                 "few.yaml", out);
-  expectRefused(track(scratch.write("cut.yaml", kTarget.substr(0, 60))), "cut.yaml", out);
+  expectRefused(track(scratch.holding("cut.yaml", kTarget.substr(0, 60))), "cut.yaml", out);
   auto nan = kTarget;
-  expectRefused(track(scratch.write("nan.yaml", nan.replace(nan.find("0.05"), 4, ".nan"))), "nan.yaml:6",
+  expectRefused(track(scratch.holding("nan.yaml", nan.replace(nan.find("0.05"), 4, ".nan"))), "nan.yaml:6",
                 out);
 }
 
 TEST(BadInput, WrongCloudsNameTheLine) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "poses.csv";
-  const auto target = scratch.write("target.yaml", kTarget);
+  const auto target = scratch.holding("target.yaml", kTarget);
   const auto track = [&](const std::filesystem::path& clouds) {
     return "track --clouds " + clouds.string() + " --target " + target.string() + " --out " + out.string();
   };
-  expectRefused(track(scratch.write("empty.csv", "")), "empty.csv", out);
-  expectRefused(track(scratch.write("column.csv", "index,time_ns,x_m,y_m\n0,0,0,0\n")), "z_m", out);
-  expectRefused(track(scratch.write("word.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n0,0,left,0,0\n")),
+  expectRefused(track(scratch.holding("empty.csv", "")), "empty.csv", out);
+  expectRefused(track(scratch.holding("column.csv", "index,time_ns,x_m,y_m\n0,0,0,0\n")), "z_m", out);
+  expectRefused(track(scratch.holding("word.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n0,0,left,0,0\n")),
                 "word.csv:3", out);
-  expectRefused(track(scratch.write("cut.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n1,4")), "cut.csv:3",
+  expectRefused(track(scratch.holding("cut.csv", "index,time_ns,x_m,y_m,z_m\n0,0,0,0,0.4\n1,4")), "cut.csv:3",
                 out);
 }
 
 TEST(BadInput, BrokenImages) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "centres.csv";
-  const auto broken = scratch.write("broken.png", "\x89PNG\r\n\x1a\n and then nothing");
+  const auto broken = scratch.holding("broken.png", "\x89PNG\r\n\x1a\n and then nothing");
   expectRefused("detect " + broken.string() + " --out " + out.string(), "broken.png", out);
 }
 
 TEST(BadInput, WrongRecordings) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "poses.csv";
-  const auto target = scratch.write("target.yaml", kTarget);
+  const auto target = scratch.holding("target.yaml", kTarget);
   std::filesystem::create_directories(scratch / "recording");
-  scratch.write("recording/rig.yaml", "format: mirrorarm/rig/1\nimage_size_px: [1296]\n");
-  scratch.write("recording/frames.csv",
-                "index,time_ns,exposure_us,left,right\n0,0,1500,left/0.png,right/0.png\n");
+  scratch.holding("recording/rig.yaml", "format: mirrorarm/rig/1\nimage_size_px: [1296]\n");
+  scratch.holding("recording/frames.csv",
+                  "index,time_ns,exposure_us,left,right\n0,0,1500,left/0.png,right/0.png\n");
   expectRefused(
       "track " + (scratch / "recording").string() + " --target " + target.string() + " --out " + out.string(),
       "rig.yaml:2", out);
 }
 
 TEST(BadInput, WrongMotion) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "session";
-  const auto cut = scratch.write("cut.trc", "PathFileType\t4\t(X/Y/Z)\tcut.trc\nDataRate\tCameraRate\n");
+  const auto cut = scratch.holding("cut.trc", "PathFileType\t4\t(X/Y/Z)\tcut.trc\nDataRate\tCameraRate\n");
   expectRefused("session --fast --seconds 2 --motion " + cut.string() + " --out " + out.string(), "cut.trc",
                 out);
   expectRefused("session --fast --seconds 2 --exercise somersault --out " + out.string(), "somersault", out);
 }
 
 TEST(BadInput, WrongPosePairs) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto out = scratch / "hand_eye.yaml";
-  const auto pairs = scratch.write(
+  const auto pairs = scratch.holding(
       "pairs.csv",
       "bx_m,by_m,bz_m,bqx,bqy,bqz,bqw,cx_m,cy_m,cz_m,cqx,cqy,cqz,cqw\n0,0,0,0,0,0,1,0,0,0,0,0,0,1\n");
   expectRefused("calibrate hand-eye " + pairs.string() + " --out " + out.string(), "pairs.csv", out);

@@ -17,7 +17,7 @@ namespace {
 TEST(MainJobs, ARecordedArmIsTrackedFollowedAndRecorded) {
   const auto trc = shared("pyomeca-upper-limb/markers.trc");
   SKIP_WITHOUT(trc);
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto done = run("session --fast --seconds 12 --motion " + trc.string() + " --json --out " +
                         (scratch / "session").string());
   ASSERT_EQ(done.exit_code, 0) << done.err;
@@ -54,7 +54,7 @@ double poseRms_mm(const std::filesystem::path& poses_file, const std::filesystem
 }
 
 TEST(MainJobs, ThePapersCuboidIsTrackedToATwentiethOfAMillimetre) {
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   const auto recording = scratch / "cuboid", poses = scratch / "poses.csv";
   const auto scene = std::filesystem::path(RESOURCES) / "scenes/paper_cuboid.yaml";
   const auto simulated = run("simulate " + scene.string() + " --out " + recording.string());
@@ -69,7 +69,7 @@ TEST(MainJobs, ThePapersCuboidIsTrackedToATwentiethOfAMillimetre) {
 TEST(MainJobs, AChessboardCalibratesAStereoRig) {
   const auto data = shared("opencv-chess-stereo");
   SKIP_WITHOUT(data);
-  const Scratch scratch;
+  const test::ScratchFolder scratch;
   std::filesystem::create_directories(scratch / "left");
   std::filesystem::create_directories(scratch / "right");
   for (const auto& entry : std::filesystem::directory_iterator(data)) {

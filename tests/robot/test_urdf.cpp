@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/common/scratch_folder.h"
 #include "tests/robot/arms.h"
 
 namespace mirrorarm::robot {
@@ -18,9 +19,8 @@ std::string textOf(const std::string& name) {
 }
 
 FromFile<ArmDescription> readText(const std::string& xml) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "mirrorarm_test.urdf";
-  std::ofstream(file) << xml;
-  return readUrdf(file);
+  const test::ScratchFolder folder;
+  return readUrdf(folder.holding("arm.urdf", xml));
 }
 
 std::string chain(const std::string& joint, const std::string& more = "") {

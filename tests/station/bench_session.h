@@ -8,18 +8,9 @@
 #include "core/station/bench_equipment.h"
 #include "core/station/lockstep_station.h"
 #include "core/station/session_script.h"
+#include "tests/common/scratch_folder.h"
 
 namespace mirrorarm::station {
-
-/// A folder of its own, gone with the test.
-struct ScratchFolder {
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "mirrorarm-XXXXXX").string();
-    path = ::mkdtemp(name.data());
-  }
-  ~ScratchFolder() { std::filesystem::remove_all(path); }
-  std::filesystem::path path;
-};
 
 inline simulation::BenchSettings benchFor(const std::string& exercise, bool own_pace = false) {
   simulation::BenchSettings settings;
@@ -39,8 +30,8 @@ class BenchSession {
     if (!made) throw std::runtime_error(describe(made.error()));
     bench_ = std::move(*made);
     StationSettings settings;
-    settings.store_file = folder_.path / "store.sqlite";
-    settings.black_box_folder = folder_.path;
+    settings.store_file = folder_ / "store.sqlite";
+    settings.black_box_folder = folder_.path();
     station_ = std::make_unique<LockstepStation>(equipmentOf(*bench_), settings, time_);
     script_ = std::make_unique<SessionScript>(*station_, script,
                                               [this](bool moving) { bench_->setPatientMoving(moving); });
@@ -69,10 +60,10 @@ class BenchSession {
   simulation::Bench& bench() { return *bench_; }
   LockstepStation& station() { return *station_; }
   SessionScript& script() { return *script_; }
-  const std::filesystem::path& folder() const { return folder_.path; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
-  ScratchFolder folder_;
+  test::ScratchFolder folder_;
   ManualTime time_;
   std::unique_ptr<simulation::Bench> bench_;
   std::unique_ptr<LockstepStation> station_;

@@ -11,9 +11,9 @@ TEST(Station, RunsASessionOnItsThreads) {
   const SteadyTime time;
   auto bench = simulation::Bench::make(benchFor("reach", true), time);
   ASSERT_TRUE(bench) << describe(bench.error());
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   StationSettings settings;
-  settings.store_file = folder.path / "store.sqlite";
+  settings.store_file = folder / "store.sqlite";
   Station station(equipmentOf(**bench), settings);
   SessionScript script(station, {.teaching = Seconds(1.0), .training = Seconds(3.0)},
                        [&](bool moving) { (*bench)->setPatientMoving(moving); });
