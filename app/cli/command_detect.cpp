@@ -44,7 +44,7 @@ Findings detectInRecording(const std::filesystem::path& folder, const vision::Fi
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const auto frame = orRefuse(recording.frame(i));
     const TimePoint begin = Clock::now();
-    const auto observation = vision.observe(frame);
+    const auto& observation = vision.observe(frame);
     findings.pair_ms.push_back(1e3 * secondsBetween(begin, Clock::now()));
     findings.add(recording.index(i), "left", observation.left);
     findings.add(recording.index(i), "right", observation.right);
@@ -60,7 +60,7 @@ Findings detectInImages(const std::vector<std::filesystem::path>& files,
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto image = orRefuse(camera::readImage(files[i]));
     const TimePoint begin = Clock::now();
-    const auto detection = finder.find(image.view());
+    const auto& detection = finder.find(image.view());
     findings.pair_ms.push_back(2e3 * secondsBetween(begin, Clock::now()));
     findings.add(static_cast<long long>(i), files[i].filename().string(), detection);
   }

@@ -37,9 +37,9 @@ class RecordingSource final : public PointSource {
   PointFrame frame(std::size_t i) override {
     const camera::StereoFrame images = orRefuse(recording_.frame(i));
     const TimePoint begin = Clock::now();
-    auto observation = vision_.observe(images);
+    const auto& observation = vision_.observe(images);
     const double vision_ms = 1e3 * secondsBetween(begin, Clock::now());
-    return {recording_.index(i), observation.exposed_at, std::move(observation.points), vision_ms};
+    return {recording_.index(i), observation.exposed_at, observation.points, vision_ms};
   }
 
  private:

@@ -18,18 +18,6 @@ constexpr double kLeastGate_px = 0.15;
 constexpr double kQuantisation = 1.0 / 12.0;  // variance of rounding to whole grey values
 constexpr double kRmsOfRadius = 0.1;          // a small outline must fit better than the settings ask
 
-/// The ellipse that an affine map makes of another.
-Ellipse toRaw(const EllipseMap& map, const Eigen::Vector2d& centre_px, const Eigen::Matrix2d& J) {
-  const Eigen::Matrix2d axes = J * map.axes;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(axes * axes.transpose());
-  const Eigen::Vector2d major = eigen.eigenvectors().col(1);
-  double angle = std::atan2(major.y(), major.x());
-  if (angle <= -std::numbers::pi / 2) angle += std::numbers::pi;
-  if (angle > std::numbers::pi / 2) angle -= std::numbers::pi;
-  return {centre_px, std::sqrt(eigen.eigenvalues()(1)), std::sqrt(std::max(eigen.eigenvalues()(0), 0.0)),
-          angle};
-}
-
 /// Radius of a disc whose edge, blurred by a Gaussian, shows its steepest slope at `radius`: smoothing draws
 /// the outline of a small disc inwards. Fits the exact relation to 2 %; 0 for what is no larger than the blur
 /// itself.
@@ -108,7 +96,8 @@ Expected<DetectedMarker, Rejection> DiscFit::fit(std::span<const EdgePoint> outl
 
   DetectedMarker marker;
   marker.centre_px = *centre_px;
-  marker.ellipse = toRaw(fitted->ellipse, *centre_px, J);
+  const Eigen::Matrix2d axes = J * fitted->ellipse.axes;
+  marker.ellipse = ellipseOf(*centre_px, axes * axes.transpose());
   const double length_px = circumference(marker.ellipse);
   marker.outline_fraction = supportedShare(fitted->ellipse, length_px);
   undoBlur(marker.ellipse, sigma_px);

@@ -1,10 +1,25 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
 namespace mirrorarm::vision {
+
+/// How a disc's centre is measured.
+enum class CentreMethod : std::uint8_t {
+  kMaximumLikelihood,   ///< a blurred ellipse on its ground, with a ramp, fitted to the pixels
+  kDualConic,           ///< one linear solution from the gradients: Ouellet and Hebert, MVA 21(1), 2009
+  kLindebergFitzgibbon  ///< the paper's: differential edges, direct ellipse fit of undistorted points
+};
+/// "maximum_likelihood", "dual_conic", "lindeberg_fitzgibbon".
+[[nodiscard]] std::string_view id(CentreMethod method);
+[[nodiscard]] std::optional<CentreMethod> centreMethodOf(std::string_view id);
 
 /// What the finder takes for a disc. Defaults suit the bench: 7 mm discs at 0.25 to 0.8 m, f about 550 to 720
 /// px.
 struct FinderSettings {
+  CentreMethod method = CentreMethod::kMaximumLikelihood;
   double min_diameter_px = 3.0;  ///< of the disc itself, without the blur
   double max_diameter_px = 60.0;
   double max_axis_ratio = 4.0;        ///< major to minor axis

@@ -60,7 +60,7 @@ struct MarkerFinder::Body {
   [[nodiscard]] std::optional<Rejection> refuse(const Component& component) const;
   [[nodiscard]] EdgeThresholds edgeThresholds(const Component& component, double sigma_px) const;
   bool splits(const Component& component, std::size_t level);
-  void reject(Rejection reason) { ++found.rejected[static_cast<std::size_t>(reason)]; }
+  void reject(const Component& component, Rejection reason);
   void dropDoubles();
 
   FinderSettings settings;
@@ -86,7 +86,14 @@ void MarkerFinder::Body::examine(const Component& component, std::size_t level) 
   if (marker)
     found.markers.push_back(*marker);
   else if (!splits(component, level))
-    reject(marker.error());
+    reject(component, marker.error());
+}
+
+void MarkerFinder::Body::reject(const Component& component, Rejection reason) {
+  ++found.rejected[static_cast<std::size_t>(reason)];
+  if (found.rejected_lights.size() == kMostRejectedLights) return;
+  const double extent_px = std::max(component.box.width(), component.box.height());
+  found.rejected_lights.push_back({{component.x(), component.y()}, extent_px, reason});
 }
 
 std::optional<Rejection> MarkerFinder::Body::refuse(const Component& component) const {
@@ -168,10 +175,12 @@ MarkerFinder::~MarkerFinder() = default;
 MarkerFinder::MarkerFinder(MarkerFinder&&) noexcept = default;
 MarkerFinder& MarkerFinder::operator=(MarkerFinder&&) noexcept = default;
 
-Detection MarkerFinder::find(const camera::ImageView& image, std::span<const Region> regions) {
+const Detection& MarkerFinder::find(const camera::ImageView& image, std::span<const Region> regions) {
   auto& body = *body_;
   body.found.markers.clear();
   body.found.rejected.fill(0);
+  body.found.rejected_lights.clear();
+  body.found.exposure = {};
   if (image.empty()) return body.found;
   body.image = {image, static_cast<std::uint8_t>(body.settings.dark_on_bright ? 255 : 0)};
   const Region whole = body.image.frame();

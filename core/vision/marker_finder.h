@@ -28,8 +28,9 @@ class MarkerFinder {
   MarkerFinder& operator=(MarkerFinder&&) noexcept;
 
   /// Searches the whole image, or only `regions` when there are any. Never throws for what an image holds:
-  /// black, white, noise, 1x1 give an empty result.
-  [[nodiscard]] Detection find(const camera::ImageView& image, std::span<const Region> regions = {});
+  /// black, white, noise, 1x1 give an empty result. The answer stays good until the next call; nothing is
+  /// taken from the heap once the buffers have grown.
+  [[nodiscard]] const Detection& find(const camera::ImageView& image, std::span<const Region> regions = {});
 
  private:
   struct Body;

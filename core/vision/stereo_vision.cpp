@@ -79,6 +79,7 @@ struct StereoVision::Body {
   }
 
   camera::StereoRig rig;
+  StereoObservation observation;
   MatcherSettings matcher;
   Side left;
   Side right;                     // the worker's while an image is asked for and not done
@@ -93,8 +94,9 @@ StereoVision::StereoVision(const camera::StereoRig& rig, const FinderSettings& f
     : body_(std::make_unique<Body>(rig, finder, matcher)) {}
 StereoVision::~StereoVision() = default;
 
-StereoObservation StereoVision::observe(const camera::StereoFrame& frame) {
-  StereoObservation observation;
+const StereoObservation& StereoVision::observe(const camera::StereoFrame& frame) {
+  auto& observation = body_->observation;
+  observation = {};
   observation.exposed_at = frame.exposed_at;
   observation.sequence = frame.sequence;
   if (!fits(frame.left, body_->rig.left) || !fits(frame.right, body_->rig.right)) return observation;

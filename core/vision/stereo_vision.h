@@ -20,8 +20,10 @@ class StereoVision {
   StereoVision(const StereoVision&) = delete;
   StereoVision& operator=(const StereoVision&) = delete;
 
-  /// Images of another size than the rig's give an observation without markers.
-  [[nodiscard]] StereoObservation observe(const camera::StereoFrame& frame);
+  /// Images of another size than the rig's, and a rig with numbers that are none, give an observation without
+  /// markers. The answer stays good until the next call; nothing is taken from the heap once the buffers have
+  /// grown.
+  [[nodiscard]] const StereoObservation& observe(const camera::StereoFrame& frame);
 
   /// The discs that are expected next, to look only around them; empty for the whole image.
   void expect(std::span<const Eigen::Vector3d> points_C, double radius_m);
