@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/exposure_summary.h"
+#include "app/cli/method_option.h"
 #include "app/cli/timing.h"
 #include "core/camera/image_file.h"
 #include "core/common/time.h"
@@ -15,6 +18,7 @@ namespace {
 struct Options {
   std::vector<std::filesystem::path> inputs;
   bool dark = false;
+  vision::CentreMethod method = vision::FinderSettings{}.method;
   std::filesystem::path out;
 };
 
@@ -24,16 +28,21 @@ struct Findings {
   std::vector<vision::CentreRow> rows;
   std::array<int, vision::kRejectionCount> rejected{};
   std::vector<double> pair_ms;
+  std::vector<ExposureSummary> exposures;  ///< a camera each, or an image
 
-  void add(long long index, const std::string& camera, const vision::Detection& detection) {
+  void add(long long index, const std::string& camera, const vision::Detection& detection,
+           ExposureSummary& exposure) {
     ++images;
+    exposure.add(detection.exposure);
     for (const auto& marker : detection.markers) rows.push_back({index, camera, marker});
     for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += detection.rejected[i];
   }
 };
 
 vision::FinderSettings settingsOf(const Options& options) {
-  return options.dark ? vision::plateSettings() : vision::FinderSettings{};
+  auto settings = options.dark ? vision::plateSettings() : vision::FinderSettings{};
+  settings.method = options.method;
+  return settings;
 }
 
 /// Both images of every frame, as the workstation looks at them.
@@ -41,13 +50,14 @@ Findings detectInRecording(const std::filesystem::path& folder, const vision::Fi
   const auto recording = orRefuse(devices::Recording::open(folder));
   vision::StereoVision vision(recording.rig(), settings, vision::MatcherSettings{});
   Findings findings;
+  findings.exposures = {ExposureSummary("left"), ExposureSummary("right")};
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const auto frame = orRefuse(recording.frame(i));
     const TimePoint begin = Clock::now();
     const auto& observation = vision.observe(frame);
     findings.pair_ms.push_back(1e3 * secondsBetween(begin, Clock::now()));
-    findings.add(recording.index(i), "left", observation.left);
-    findings.add(recording.index(i), "right", observation.right);
+    findings.add(recording.index(i), "left", observation.left, findings.exposures[0]);
+    findings.add(recording.index(i), "right", observation.right, findings.exposures[1]);
   }
   return findings;
 }
@@ -62,7 +72,8 @@ Findings detectInImages(const std::vector<std::filesystem::path>& files,
     const TimePoint begin = Clock::now();
     const auto& detection = finder.find(image.view());
     findings.pair_ms.push_back(2e3 * secondsBetween(begin, Clock::now()));
-    findings.add(static_cast<long long>(i), files[i].filename().string(), detection);
+    auto& exposure = findings.exposures.emplace_back(files[i].filename().string());
+    findings.add(static_cast<long long>(i), exposure.camera(), detection, exposure);
   }
   return findings;
 }
@@ -74,14 +85,25 @@ nlohmann::ordered_json countsOf(const std::array<int, vision::kRejectionCount>& 
   return counts;
 }
 
+nlohmann::ordered_json exposuresOf(const std::vector<ExposureSummary>& summaries) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& summary : summaries) list.push_back(summary.json());
+  return list;
+}
+
 void detect(const Options& options, Context& context) {
   const bool recording = options.inputs.size() == 1 && std::filesystem::is_directory(options.inputs[0]);
   const Findings findings = recording ? detectInRecording(options.inputs[0], settingsOf(options))
                                       : detectInImages(options.inputs, settingsOf(options));
   orFail(vision::writeCentres(options.out, findings.rows));
-  context.result = {{"images", findings.images},
+  const auto cut = std::count_if(findings.rows.begin(), findings.rows.end(),
+                                 [](const vision::CentreRow& row) { return row.marker.cut; });
+  context.result = {{"method", std::string(id(options.method))},
+                    {"images", findings.images},
                     {"discs", findings.rows.size()},
+                    {"cut", cut},
                     {"rejected", countsOf(findings.rejected)},
+                    {"exposure", exposuresOf(findings.exposures)},
                     {"ms_per_pair", medianAndP99(findings.pair_ms)}};
   if (context.json) return;
   std::cout << findings.rows.size() << " discs in " << findings.images << " images, centres in "
@@ -96,6 +118,7 @@ void addDetect(CLI::App& app, Context& context) {
   const auto options = std::make_shared<Options>();
   command->add_option("REC", options->inputs, "Folder of a recording, or images")->required();
   command->add_flag("--dark", options->dark, "Dark dots on bright ground, as on calibration plates");
+  addMethodOption(*command, options->method);
   command->add_option("--out", options->out, "Table of centres to write")->required();
   command->callback([options, &context] { detect(*options, context); });
 }

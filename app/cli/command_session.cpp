@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "app/cli/commands.h"
+#include "app/cli/method_option.h"
 #include "app/cli/pose_audit.h"
 #include "app/cli/session_files.h"
 #include "core/common/atomic_file.h"
@@ -26,6 +27,7 @@ struct Options {
   std::filesystem::path motion;
   std::string mapping = "follow";
   std::string lens = "kannala_brandt";
+  vision::CentreMethod method = vision::FinderSettings{}.method;
   bool fast = false;
 };
 
@@ -48,6 +50,7 @@ station::StationSettings stationSettings(const Options& options) {
   settings.black_box_folder = options.out;
   settings.exercise = options.motion.empty() ? options.exercise : options.motion.filename().string();
   settings.planner.seed = options.seed;
+  settings.finder.method = options.method;
   return settings;
 }
 
@@ -165,6 +168,7 @@ void addSession(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"follow", "mirror"}));
   command->add_option("--lens", options->lens, "kannala_brandt or brown_conrady")
       ->check(CLI::IsMember({"kannala_brandt", "brown_conrady"}));
+  addMethodOption(*command, options->method);
   command->add_flag("--fast", options->fast, "As fast as it computes, on a clock of its own");
   command->callback([options, &context] { session(*options, context); });
 }

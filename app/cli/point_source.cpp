@@ -1,6 +1,7 @@
 #include "app/cli/point_source.h"
 
 #include "app/cli/command.h"
+#include "app/cli/method_option.h"
 #include "core/devices/recording.h"
 #include "core/tracking/cloud_file.h"
 #include "core/vision/stereo_vision.h"
@@ -26,11 +27,17 @@ class CloudSource final : public PointSource {
   std::vector<tracking::Cloud> clouds_;
 };
 
+vision::FinderSettings finderOf(vision::CentreMethod method) {
+  vision::FinderSettings settings;
+  settings.method = method;
+  return settings;
+}
+
 class RecordingSource final : public PointSource {
  public:
-  explicit RecordingSource(const std::filesystem::path& folder)
+  RecordingSource(const std::filesystem::path& folder, vision::CentreMethod method)
       : recording_(orRefuse(devices::Recording::open(folder))),
-        vision_(recording_.rig(), vision::FinderSettings{}, vision::MatcherSettings{}) {}
+        vision_(recording_.rig(), finderOf(method), vision::MatcherSettings{}) {}
 
   std::size_t size() const override { return recording_.size(); }
 
@@ -52,13 +59,15 @@ class RecordingSource final : public PointSource {
 void addPointInput(CLI::App& command, PointInput& input) {
   auto* group = command.add_option_group("Input", "Exactly one");
   group->add_option("REC", input.recording, "Folder of a recording");
-  group->add_option("--clouds", input.clouds, "Table of measured points: index,time_ns,x_m,y_m,z_m");
+  auto* clouds =
+      group->add_option("--clouds", input.clouds, "Table of measured points: index,time_ns,x_m,y_m,z_m");
   group->require_option(1);
+  addMethodOption(command, input.method)->excludes(clouds);
 }
 
 std::unique_ptr<PointSource> openPoints(const PointInput& input) {
   if (!input.clouds.empty()) return std::make_unique<CloudSource>(input.clouds);
-  return std::make_unique<RecordingSource>(input.recording);
+  return std::make_unique<RecordingSource>(input.recording, input.method);
 }
 
 }  // namespace mirrorarm::cli

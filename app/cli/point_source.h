@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "core/common/time.h"
+#include "core/vision/finder_settings.h"
 #include "core/vision/stereo_observation.h"
 
 namespace mirrorarm::cli {
@@ -16,9 +17,10 @@ namespace mirrorarm::cli {
 struct PointInput {
   std::filesystem::path recording;
   std::filesystem::path clouds;
+  vision::CentreMethod method = vision::FinderSettings{}.method;  ///< for a recording
 };
 
-/// The positional REC and the option --clouds of a command.
+/// The positional REC and the options --clouds and --method of a command.
 void addPointInput(CLI::App& command, PointInput& input);
 
 /// The points of one frame.

@@ -6,7 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/camera/image_header.h"
 #include "core/camera/image_integrity.h"
+#include "core/camera/jpeg_decoder.h"
 #include "core/common/atomic_file.h"
 
 namespace mirrorarm::camera {
@@ -45,17 +47,43 @@ GreyImage toImage(const cv::Mat& grey) {
   return {grey.cols, grey.rows, std::move(pixels)};
 }
 
+/// Deeper pixels have a scale that only their writer knows.
+std::string tooDeep(const cv::Mat& image) {
+  const bool real = image.depth() == CV_32F || image.depth() == CV_64F;
+  const auto bits = std::to_string(8 * image.elemSize1());
+  return "has " + bits + (real ? "-bit real" : "-bit") +
+         " pixels, not 8-bit ones: convert it, choosing which grey becomes white";
+}
+
+/// What speaks against decoding the bytes at all; empty for nothing.
+std::string objection(const std::vector<std::uint8_t>& bytes) {
+  if (!formatOf(bytes)) return "is no PNG, JPEG, BMP, TIFF or binary PGM image";
+  const auto size = promisedSize(bytes);
+  if (size && size->width_px > 0 && size->height_px > kMostPixels / size->width_px)
+    return "claims " + std::to_string(size->width_px) + "x" + std::to_string(size->height_px) +
+           " pixels, more than any camera's image";
+  return isWhole(bytes) ? std::string() : "is an image cut short or damaged";
+}
+
+Expected<GreyImage, std::string> decodeAny(const std::vector<std::uint8_t>& bytes) {
+  if (formatOf(bytes) == ImageFormat::kJpeg) return decodeJpeg(bytes, kMostPixels);
+  const cv::Mat image = decode(bytes);
+  if (image.empty()) return unexpected(std::string("is not an image that can be read"));
+  if (image.depth() != CV_8U) return unexpected(tooDeep(image));
+  if (image.channels() == 2) return unexpected(std::string("has two channels"));
+  return toImage(toGrey(image));
+}
+
 }  // namespace
 
 FromFile<GreyImage> readImage(const std::filesystem::path& file) {
   const auto bytes = readBytes(file);
   if (!bytes) return unexpected(bytes.error());
-  if (!isWhole(*bytes)) return unexpected(FileError{file, 0, "is an image cut short or damaged"});
-  const cv::Mat image = decode(*bytes);
-  if (image.empty()) return unexpected(FileError{file, 0, "is not an image that can be read"});
-  if (image.depth() != CV_8U) return unexpected(FileError{file, 0, "is not an 8-bit image"});
-  if (image.channels() == 2) return unexpected(FileError{file, 0, "has two channels"});
-  return toImage(toGrey(image));
+  const auto refusal = objection(*bytes);
+  if (!refusal.empty()) return unexpected(FileError{file, 0, refusal});
+  auto image = decodeAny(*bytes);
+  if (!image) return unexpected(FileError{file, 0, image.error()});
+  return std::move(*image);
 }
 
 Expected<void, std::string> writeImage(const std::filesystem::path& file, const GreyImage& image) {

@@ -82,6 +82,32 @@ TEST_F(RigFile, RefusalsNameLineAndKey) {
   EXPECT_NE(wrong.error().reason.find("left.fy_px"), std::string::npos);
 }
 
+TEST_F(RigFile, EveryWrongNumberIsNamedByLineAndKey) {
+  struct Wrong {
+    const char* from;
+    const char* to;
+    int line;
+    const char* key;
+  };
+  for (const auto& [from, to, line, key] :
+       {Wrong{"fx_px: 720.9", "fx_px: 0", 5, "left.fx_px"},
+        Wrong{"fx_px: 720.9", "fx_px: -.inf", 5, "left.fx_px"},
+        Wrong{"fy_px: 550.7", "fy_px: .inf", 13, "right.fy_px"},
+        Wrong{"cx_px: 640.1", "cx_px: nan", 14, "right.cx_px"},
+        Wrong{"[1296, 964]", "[-1296, 964]", 2, "image_size_px[0]"},
+        Wrong{"[1296, 964]", "[1296, 100000]", 2, "image_size_px[1]"},
+        Wrong{"[-0.21, 0.045]", "[-0.21, .nan]", 9, "left.distortion[1]"},
+        Wrong{"0.9997950", "0.9", 18, "right_from_left.rotation_xyzw"},
+        Wrong{"0.9997950", ".nan", 18, "right_from_left.rotation_xyzw[3]"},
+        Wrong{"[-0.12, 0.0003, 0.001]", "[0, 0, 0]", 19, "right_from_left.translation_m"},
+        Wrong{"[-0.12, 0.0003, 0.001]", "[-0.12, .inf, 0.001]", 19, "right_from_left.translation_m[1]"}}) {
+    const auto wrong = readWith(from, to);
+    ASSERT_FALSE(wrong) << to;
+    EXPECT_EQ(wrong.error().line, line) << to;
+    EXPECT_NE(wrong.error().reason.find(key), std::string::npos) << describe(wrong.error());
+  }
+}
+
 TEST_F(RigFile, RefusesWhatItDoesNotKnow) {
   EXPECT_FALSE(readWith("rig/1", "rig/2"));
   EXPECT_FALSE(readWith("brown_conrady", "pinhole"));

@@ -82,6 +82,25 @@ TEST(BadInput, BrokenImages) {
   expectRefused("detect " + broken.string() + " --out " + out.string(), "broken.png", out);
 }
 
+std::string greyMap(int width, int height) {
+  return "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n" +
+         std::string(static_cast<std::size_t>(width * height), '\x10');
+}
+
+TEST(BadInput, DeepImagesAreToldWhatToDo) {
+  const test::ScratchFolder scratch;
+  const auto out = scratch / "centres.csv";
+  const auto deep = scratch.holding("deep.pgm", std::string("P5\n2 1\n65535\n\1\2\3\4", 17));
+  expectRefused("detect " + deep.string() + " --out " + out.string(), "16-bit", out);
+}
+
+TEST(BadInput, UnknownMethods) {
+  const test::ScratchFolder scratch;
+  const auto out = scratch / "out";
+  for (const std::string command : {"detect a.png", "track a --target b", "teach a", "session --fast"})
+    expectRefused(command + " --method centroid --out " + out.string(), "centroid", out);
+}
+
 TEST(BadInput, WrongRecordings) {
   const test::ScratchFolder scratch;
   const auto out = scratch / "poses.csv";
@@ -93,6 +112,26 @@ TEST(BadInput, WrongRecordings) {
   expectRefused(
       "track " + (scratch / "recording").string() + " --target " + target.string() + " --out " + out.string(),
       "rig.yaml:2", out);
+}
+
+TEST(BadInput, ImagesOfAnotherSizeThanTheRigs) {
+  const test::ScratchFolder scratch;
+  const auto out = scratch / "out.csv";
+  std::filesystem::create_directories(scratch / "recording");
+  const std::string camera =
+      "model: brown_conrady, fx_px: 60, fy_px: 60, cx_px: 32, cy_px: 24, distortion: [0, 0]";
+  scratch.holding("recording/rig.yaml",
+                  "format: mirrorarm/rig/1\nimage_size_px: [64, 48]\nleft: {" + camera + "}\nright: {" +
+                      camera +
+                      "}\nright_from_left: {rotation_xyzw: [0, 0, 0, 1], translation_m: [-0.1, 0, 0]}\n");
+  scratch.holding("recording/frames.csv",
+                  "index,time_ns,exposure_us,left,right\n0,0,1500,left.pgm,right.pgm\n");
+  scratch.holding("recording/left.pgm", greyMap(64, 48));
+  scratch.holding("recording/right.pgm", greyMap(48, 64));
+  const auto detect = "detect " + (scratch / "recording").string() + " --out " + out.string();
+  expectRefused(detect, "right.pgm: is 48x64 where the rig has 64x48", out);
+  scratch.holding("recording/right.pgm", greyMap(64, 48));
+  EXPECT_EQ(run(detect).exit_code, 0);
 }
 
 TEST(BadInput, WrongMotion) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -89,6 +90,40 @@ TEST(MainJobs, AChessboardCalibratesAStereoRig) {
   const auto held_out = run(call + " --hold-out 2");
   ASSERT_EQ(held_out.exit_code, 0) << held_out.err;
   EXPECT_LE(held_out.json()["hold_out"]["epipolar_px"], 0.25);
+}
+
+/// A bright disc of `radius_px` in the middle of a dark image, its edge a pixel wide.
+std::string discImage(int width, int height, double radius_px) {
+  std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double inside = radius_px - std::hypot(x - 0.5 * width, y - 0.5 * height);
+      bytes += static_cast<char>(20.0 + 180.0 * std::clamp(inside + 0.5, 0.0, 1.0));
+    }
+  return bytes;
+}
+
+TEST(MainJobs, EveryMethodFindsADiscInImagesOfAnySize) {
+  const test::ScratchFolder scratch;
+  const auto images = scratch.holding("wide.pgm", discImage(120, 81, 6.0)).string() + " " +
+                      scratch.holding("high.pgm", discImage(63, 140, 5.0)).string() + " " +
+                      scratch.holding("dot.pgm", discImage(1, 1, 5.0)).string();
+  for (const std::string method : {"maximum_likelihood", "dual_conic", "lindeberg_fitzgibbon"}) {
+    const auto done = run("detect " + images + " --json --method " + method + " --out " +
+                          (scratch / "centres.csv").string());
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const auto result = done.json();
+    EXPECT_EQ(result["method"], method);
+    EXPECT_EQ(result["images"], 3);
+    EXPECT_EQ(result["discs"], 2) << method;
+    EXPECT_EQ(result["cut"], 0) << method;
+    ASSERT_EQ(result["exposure"].size(), 3U);
+    const auto& wide = result["exposure"][0];
+    EXPECT_EQ(wide["camera"], "wide.pgm");
+    EXPECT_TRUE(wide["warning"].is_null() || wide["warning"].is_string());
+    for (const char* key : {"background", "noise", "brightest", "saturated_markers"})
+      EXPECT_TRUE(wide[key].is_number()) << key;
+  }
 }
 
 TEST(MainJobs, DoctorSpeaksJson) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "core/vision/finder_settings.h"
+
+namespace mirrorarm::cli {
+
+/// Adds --method, which fills `method` and refuses names that are none.
+CLI::Option* addMethodOption(CLI::App& command, vision::CentreMethod& method);
+
+}  // namespace mirrorarm::cli
