@@ -74,6 +74,62 @@ void see(const camera::StereoRig& rig, const std::vector<Eigen::Vector3d>& point
   frame.vision_ms = 8.4;
 }
 
+struct Reflection {
+  double x_px, y_px, width_px, height_px;
+  vision::Rejection reason;
+};
+
+const std::vector<Reflection> kReflections{
+    {820, 300, 120, 8, vision::Rejection::kTooElongated}, {480, 620, 90, 90, vision::Rejection::kTooLarge},
+    {900, 590, 22, 14, vision::Rejection::kNotAnEllipse}, {1288, 480, 16, 16, vision::Rejection::kAtBorder},
+    {700, 610, 10, 12, vision::Rejection::kSaturated},    {860, 470, 12, 5, vision::Rejection::kCut},
+    {610, 360, 1, 1, vision::Rejection::kTooSmall},       {940, 420, 2, 1, vision::Rejection::kTooSmall}};
+
+using Pixels = std::vector<std::uint8_t>;
+
+void paint(Pixels& pixels, const camera::GreyImage& image, const Reflection& light, std::uint8_t level) {
+  const auto from = [](double middle, double side) { return static_cast<int>(middle - side / 2); };
+  for (int y = from(light.y_px, light.height_px); y < light.y_px + light.height_px / 2; ++y)
+    for (int x = from(light.x_px, light.width_px); x < light.x_px + light.width_px / 2; ++x)
+      if (x >= 0 && y >= 0 && x < image.width() && y < image.height())
+        pixels[static_cast<std::size_t>(y) * image.width() + x] = level;
+}
+
+/// Reflections painted in and refused, the marker covered to its right.
+void clutterImage(camera::GreyImage& image, vision::Detection& detection, std::size_t covered) {
+  const auto view = image.view();
+  Pixels pixels(view.data, view.data + static_cast<std::ptrdiff_t>(view.width_px) * view.height_px);
+  for (const auto& light : kReflections) {
+    paint(pixels, image, light, 120);
+    ++detection.rejected[static_cast<std::size_t>(light.reason)];
+    detection.rejected_lights.push_back(
+        {{light.x_px, light.y_px}, std::max(light.width_px, light.height_px), light.reason});
+  }
+  auto& cut = detection.markers[covered];
+  cut.cut = true;
+  paint(pixels, image, {cut.centre_px.x() + 5, cut.centre_px.y(), 7, 12, {}}, 14);
+  for (std::size_t i = 0; i < detection.markers.size(); ++i)
+    paint(pixels, image, {detection.markers[i].centre_px.x(), detection.markers[i].centre_px.y(), 3, 3, {}},
+          250);
+  image = {image.width(), image.height(), std::move(pixels)};
+}
+
+/// A disc of the left image that two of the right one may be.
+void addRivals(const camera::StereoRig& rig, vision::StereoObservation& seen) {
+  seen.left.markers.push_back(detected(rig.left.project({0.0, 0.07, 0.40}).value()));
+  for (const double depth_m : {0.40, 0.46}) {
+    const Eigen::Vector3d p_C = Eigen::Vector3d(0.0, 0.175, 1.0) * depth_m;
+    seen.right.markers.push_back(detected(rig.right.project(rig.X_RC * p_C).value()));
+    vision::StereoPoint point;
+    point.p_C = p_C;
+    point.left = static_cast<int>(seen.left.markers.size()) - 1;
+    point.right = static_cast<int>(seen.right.markers.size()) - 1;
+    point.rivals = 1;
+    point.preferred = depth_m < 0.43;
+    seen.points.push_back(point);
+  }
+}
+
 tracking::TrackedTarget tracked(int markers) {
   tracking::TrackedTarget target;
   target.status = tracking::TrackStatus::kTracked;
@@ -103,7 +159,8 @@ Workplace benchWorkplace() {
   return workplace;
 }
 
-FakeStation::FakeStation(const Workplace& workplace) : frame_(std::make_shared<station::TrackedFrame>()) {
+FakeStation::FakeStation(const Workplace& workplace)
+    : rig_(workplace.rig), frame_(std::make_shared<station::TrackedFrame>()) {
   tracking::Target target;
   target.name = "forearm";
   target.markers_T = sleeve();
@@ -156,6 +213,17 @@ void FakeStation::enter(therapy::Phase phase) {
   shown.record.session = phase >= therapy::Phase::kTraining ? 1 : 0;
   shown.record.recording =
       phase == therapy::Phase::kFinished ? station::Recording::kComplete : station::Recording::kIdle;
+}
+
+void FakeStation::clutter() {
+  auto next = std::make_shared<station::TrackedFrame>(*frame_);
+  addRivals(rig_, next->observation);
+  clutterImage(next->frame.left, next->observation.left, 2);
+  clutterImage(next->frame.right, next->observation.right, 2);
+  next->observation.right.exposure.saturated_markers = 8;
+  next->observation.right.exposure.warning = vision::ExposureWarning::kSaturated;
+  frame_ = std::move(next);
+  shown.frame = frame_;
 }
 
 void FakeStation::stamp() {

@@ -23,6 +23,9 @@ class FakeStation final : public station::StationPort {
 
   /// Goes on to `phase`, with a target once it is taught.
   void enter(therapy::Phase phase);
+  /// Reflections besides the markers, refused each for a reason; marker 3 half covered; a disc with two
+  /// possible partners; the right image too bright.
+  void clutter();
   station::Snapshot shown;  ///< what snapshot() gives, stamped with the time of the call
   station::Command last_command;
   int stops = 0;
@@ -33,6 +36,7 @@ class FakeStation final : public station::StationPort {
 
  private:
   void stamp();
+  const camera::StereoRig rig_;
   std::shared_ptr<station::TrackedFrame> frame_;
   std::shared_ptr<const tracking::Target> target_;
 };

@@ -1,5 +1,9 @@
 #include "ui/model/tracking_presenter.h"
 
+#include <numeric>
+
+#include <QStringList>
+
 #include "ui/model/words.h"
 
 namespace mirrorarm::ui {
@@ -32,15 +36,54 @@ void describeUntaught(const station::TrackedFrame& frame, TrackingState& state) 
   state.markers = QString::number(count);
 }
 
+ExposureLine exposureLine(const QString& camera, const vision::Exposure& exposure) {
+  if (!exposure.warning) return {false, TrackingPresenter::tr("%1: good light").arg(camera)};
+  return {true,
+          QStringLiteral("%1: %2 – %3").arg(camera, words(*exposure.warning), advice(*exposure.warning))};
+}
+
+QVector<ExposureLine> exposureLines(const vision::Exposure& left, const vision::Exposure& right) {
+  if (!left.warning && !right.warning) return {{false, TrackingPresenter::tr("Good light in both images")}};
+  return {exposureLine(TrackingPresenter::tr("Left"), left),
+          exposureLine(TrackingPresenter::tr("Right"), right)};
+}
+
+int refusedCount(const vision::Detection& detection) {
+  const auto& counts = detection.rejected;
+  const int specks = counts[static_cast<std::size_t>(vision::Rejection::kTooSmall)];
+  return std::accumulate(counts.begin(), counts.end(), -specks);
+}
+
+/// "Left: 3 too long, 12 too small"; empty when nothing was refused.
+QString refusedReasons(const QString& camera, const vision::Detection& detection) {
+  QStringList parts;
+  for (std::size_t i = 0; i < detection.rejected.size(); ++i)
+    if (detection.rejected[i] > 0)
+      parts
+          << QStringLiteral("%1 %2").arg(detection.rejected[i]).arg(words(static_cast<vision::Rejection>(i)));
+  return parts.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(camera, parts.join(QStringLiteral(", ")));
+}
+
+void describeImages(const vision::StereoObservation& seen, TrackingState& state) {
+  state.exposure = exposureLines(seen.left.exposure, seen.right.exposure);
+  state.refused = QString::number(refusedCount(seen.left) + refusedCount(seen.right));
+  QStringList lines{refusedReasons(TrackingPresenter::tr("Left"), seen.left),
+                    refusedReasons(TrackingPresenter::tr("Right"), seen.right)};
+  lines.removeAll(QString());
+  state.refused_reasons = lines.join(QLatin1Char('\n'));
+}
+
 TrackingState stateOf(const station::TrackedFrame* frame, TimePoint now) {
   TrackingState state;
   state.status = TrackingPresenter::tr("No images");
-  state.markers = state.misfit = state.age = state.vision = state.lost_frames = QStringLiteral("–");
+  state.markers = state.misfit = state.age = state.vision = state.lost_frames = state.refused =
+      QStringLiteral("–");
   if (frame == nullptr) return state;
   const Seconds age = now - frame->frame.exposed_at;
   state.age = milliseconds(age.count() * 1e3);
   state.vision = milliseconds(frame->vision_ms + frame->tracking_ms);
   state.lost_frames = QString::number(frame->lost_frames);
+  describeImages(frame->observation, state);
   if (age > kCameraSilentAfter) {
     state.light = Light::kBad;
     state.detail = TrackingPresenter::tr("the cameras are silent");
@@ -60,6 +103,8 @@ void TrackingPresenter::show(const station::Snapshot& snapshot, TimePoint now) {
   if (same_light && now - figures_at_ < kFiguresEvery) return;
   figures_at_ = now;
   next.accessible = tr("Tracking: %1, markers %2, misfit %3").arg(next.status, next.markers, next.misfit);
+  for (const auto& line : next.exposure)
+    if (line.warns) next.accessible += QStringLiteral(". ") + line.text;
   if (next == state_) return;
   state_ = std::move(next);
   emit stateChanged(state_);

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QVector>
 
 #include "core/common/time.h"
 #include "core/station/snapshot.h"
@@ -10,6 +11,13 @@ namespace mirrorarm::ui {
 
 /// A status that is told by shape and word, never by colour alone.
 enum class Light { kOff, kGood, kWaiting, kBad };
+
+/// A line on how the images are lit.
+struct ExposureLine {
+  bool warns = false;
+  QString text;  ///< which camera, what is wrong with its light and what to do
+  bool operator==(const ExposureLine&) const = default;
+};
 
 /// What the tracking figures are right now. One value, compared and drawn whole; figures change a few times a
 /// second so that they can be read, the light at once.
@@ -22,7 +30,10 @@ struct TrackingState {
   QString age;      ///< of the newest pose
   QString vision;   ///< computing time of a frame
   QString lost_frames;
-  QString accessible;  ///< the whole in one sentence
+  QString refused;                 ///< lights of both images that are no markers, without the specks
+  QString refused_reasons;         ///< how many for which reason, a line a camera; empty for none
+  QVector<ExposureLine> exposure;  ///< one while both images are well lit, else a line a camera
+  QString accessible;              ///< the whole in one sentence
   bool operator==(const TrackingState&) const = default;
 };
 

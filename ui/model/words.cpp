@@ -201,4 +201,48 @@ QString words(tracking::LostReason reason) {
   return {};
 }
 
+QString words(vision::Rejection reason) {
+  switch (reason) {
+    case vision::Rejection::kTooSmall:
+      return Words::tr("too small");
+    case vision::Rejection::kTooLarge:
+      return Words::tr("too large");
+    case vision::Rejection::kTooElongated:
+      return Words::tr("too long");
+    case vision::Rejection::kNotAnEllipse:
+      return Words::tr("not round");
+    case vision::Rejection::kAtBorder:
+      return Words::tr("at the border");
+    case vision::Rejection::kSaturated:
+      return Words::tr("too bright");
+    case vision::Rejection::kCut:
+      return Words::tr("mostly covered");
+  }
+  return {};
+}
+
+QString words(vision::ExposureWarning warning) {
+  switch (warning) {
+    case vision::ExposureWarning::kSaturated:
+      return Words::tr("too bright");
+    case vision::ExposureWarning::kBrightBackground:
+      return Words::tr("bright background");
+    case vision::ExposureWarning::kTooDark:
+      return Words::tr("too dark");
+  }
+  return {};
+}
+
+QString advice(vision::ExposureWarning warning) {
+  switch (warning) {
+    case vision::ExposureWarning::kSaturated:
+      return Words::tr("shorten the exposure");
+    case vision::ExposureWarning::kBrightBackground:
+      return Words::tr("shut out daylight");
+    case vision::ExposureWarning::kTooDark:
+      return Words::tr("uncover it or expose longer");
+  }
+  return {};
+}
+
 }  // namespace mirrorarm::ui

@@ -10,6 +10,7 @@
 #include "core/therapy/movement_mapping.h"
 #include "core/therapy/session_phase.h"
 #include "core/tracking/tracked_target.h"
+#include "core/vision/detected_marker.h"
 
 namespace mirrorarm::ui {
 
@@ -25,8 +26,12 @@ namespace mirrorarm::ui {
 [[nodiscard]] QString words(therapy::Action action);
 [[nodiscard]] QString words(tracking::TrackStatus status);
 [[nodiscard]] QString words(tracking::LostReason reason);
+[[nodiscard]] QString words(vision::Rejection reason);
+[[nodiscard]] QString words(vision::ExposureWarning warning);
 
 /// What the operator should do about a stop, one sentence.
 [[nodiscard]] QString advice(control::StopReason reason);
+/// What the operator should do about the light, a phrase.
+[[nodiscard]] QString advice(vision::ExposureWarning warning);
 
 }  // namespace mirrorarm::ui

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "ui/panels/motion_plot.h"
 #include "ui/panels/status_light.h"
@@ -17,6 +18,15 @@ QString stroke(const Theme& theme, const char* colour, const QString& line) {
       .arg(theme.colour(QLatin1String(colour)).name(), line);
 }
 
+/// A sign besides the words; a warning stands out.
+void write(const ExposureLine& exposure, QLabel& label) {
+  label.setText((exposure.warns ? QStringLiteral("⚠ ") : QStringLiteral("✓ ")) + exposure.text);
+  const QString role = exposure.warns ? QStringLiteral("warning") : QStringLiteral("caption");
+  if (label.property("role").toString() == role) return;
+  label.setProperty("role", role);
+  restyle(label);
+}
+
 }  // namespace
 
 QualityPanel::QualityPanel(QWidget* parent)
@@ -29,6 +39,8 @@ QualityPanel::QualityPanel(QWidget* parent)
       age_(new Figure(tr("Age"))),
       computing_(new Figure(tr("Computing"))),
       lost_frames_(new Figure(tr("Lost frames"))),
+      refused_(new Figure(tr("Refused lights"))),
+      exposure_{makeText("caption"), makeText("caption")},
       legend_(makeText("caption")),
       plot_(new MotionPlot(kPlotWindow_s)) {
   setObjectName(QStringLiteral("qualityPanel"));
@@ -40,6 +52,7 @@ QualityPanel::QualityPanel(QWidget* parent)
   inside->addWidget(makeText("heading", tr("Tracking of the healthy arm")));
   inside->addWidget(makeStatusRow());
   inside->addWidget(makeFigures());
+  inside->addWidget(makeExposure());
   inside->addWidget(legend_);
   inside->addWidget(plot_, 1);
 }
@@ -69,7 +82,17 @@ QWidget* QualityPanel::makeFigures() {
   grid->addWidget(age_, 0, 2);
   grid->addWidget(computing_, 1, 0);
   grid->addWidget(lost_frames_, 1, 1);
+  grid->addWidget(refused_, 1, 2);
   for (int i = 0; i < 3; ++i) grid->setColumnStretch(i, 1);
+  return box;
+}
+
+QWidget* QualityPanel::makeExposure() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
+  for (auto* line : exposure_) column->addWidget(line);
   return box;
 }
 
@@ -92,6 +115,13 @@ void QualityPanel::show(const TrackingState& state) {
   age_->setValue(state.age);
   computing_->setValue(state.vision);
   lost_frames_->setValue(state.lost_frames);
+  refused_->setValue(state.refused);
+  refused_->setToolTip(state.refused_reasons);
+  for (int i = 0; i < static_cast<int>(exposure_.size()); ++i) {
+    QLabel& label = *exposure_[static_cast<std::size_t>(i)];
+    label.setVisible(i < state.exposure.size());
+    if (i < state.exposure.size()) write(state.exposure[i], label);
+  }
   setAccessibleName(state.accessible);
 }
 

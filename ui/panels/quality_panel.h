@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <QFrame>
 #include <QLabel>
 
@@ -26,6 +28,7 @@ class QualityPanel : public QWidget {
  private:
   [[nodiscard]] QWidget* makeStatusRow();
   [[nodiscard]] QWidget* makeFigures();
+  [[nodiscard]] QWidget* makeExposure();
 
   StatusLight* light_;
   QLabel* status_;
@@ -35,6 +38,8 @@ class QualityPanel : public QWidget {
   Figure* age_;
   Figure* computing_;
   Figure* lost_frames_;
+  Figure* refused_;
+  std::array<QLabel*, 2> exposure_;
   QLabel* legend_;
   MotionPlot* plot_;
 };

@@ -7,7 +7,7 @@
 namespace mirrorarm::ui {
 
 /// A label that the style sheet knows by its role: "heading", "title", "muted", "caption", "figure",
-/// "status".
+/// "status", "warning".
 [[nodiscard]] QLabel* makeText(const char* role, const QString& text = {}, QWidget* parent = nullptr);
 /// A framed card with a column for its content.
 [[nodiscard]] QFrame* makeCard(const QString& objectName);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <QImage>
@@ -8,7 +7,7 @@
 #include <QString>
 
 #include "core/camera/image.h"
-#include "core/vision/detected_marker.h"
+#include "ui/model/image_overlay.h"
 
 class QPainter;
 
@@ -16,35 +15,31 @@ namespace mirrorarm::ui {
 
 class Theme;
 
-/// What is drawn over one camera image, in its raw pixels.
-struct ImageOverlay {
-  struct Mark {
-    vision::Ellipse ellipse;
-    QPointF centre_px;
-    std::optional<int> identity;  ///< number of the taught marker
-  };
-  std::vector<Mark> marks;
-  std::vector<QPolygonF> epipolar_lines;
-};
-
 /// A part of a camera image in a rectangle of the screen, with what was found in it.
 class ImageCell {
  public:
   /// `source_px`: what of the image is shown; `area`: where, in the same proportions.
   ImageCell(const camera::GreyImage& image, const QRectF& source_px, const QRectF& area);
 
-  void draw(QPainter& painter, const ImageOverlay& overlay, const Theme& theme, const QString& caption) const;
+  /// No text will stand there.
+  void keepFree(const QRectF& box) { labels_.push_back(box); }
+  void draw(QPainter& painter, const ImageOverlay& overlay, bool with_refused, const Theme& theme,
+            const QString& caption);
 
  private:
   [[nodiscard]] QPointF onScreen(const QPointF& pixel) const;
   void drawImage(QPainter& painter) const;
-  void drawMark(QPainter& painter, const ImageOverlay::Mark& mark, const Theme& theme) const;
-  void drawCaption(QPainter& painter, const QString& caption, const Theme& theme) const;
+  void drawLine(QPainter& painter, const ImageOverlay::EpipolarLine& line, const Theme& theme) const;
+  void drawMark(QPainter& painter, const ImageOverlay::Mark& mark, const Theme& theme);
+  void drawRefused(QPainter& painter, const ImageOverlay::RefusedLight& light, const Theme& theme);
+  void drawLabel(QPainter& painter, const QPointF& place, const QString& text, const QColor& colour,
+                 const Theme& theme);
 
   const camera::GreyImage& image_;
   QRectF source_px_;
   QRectF area_;
-  double scale_;  ///< screen pixels an image pixel
+  double scale_;                ///< screen pixels an image pixel
+  std::vector<QRectF> labels_;  ///< where text stands already: words would cover each other
 };
 
 /// The largest rectangle of the proportions of `inner` in the middle of `outer`.

@@ -4,6 +4,9 @@
 
 #include <QKeyEvent>
 #include <QPainter>
+#include <QPushButton>
+
+#include "ui/views/image_cell.h"
 
 namespace mirrorarm::ui {
 namespace {
@@ -11,17 +14,28 @@ namespace {
 constexpr double kGap_px = 6.0;
 constexpr double kWideStrip = 2.4;      // wider than this: one row of three cells
 constexpr double kCloseUpMargin = 1.5;  // of the markers' extent
-constexpr double kNearest_m = 0.15, kFarthest_m = 2.5;
-constexpr int kLineSteps = 14;
+constexpr int kButtonMargin_px = 6;
 
 }  // namespace
 
-StereoImageView::StereoImageView(const camera::StereoRig& rig, QWidget* parent) : QWidget(parent), rig_(rig) {
+StereoImageView::StereoImageView(const camera::StereoRig& rig, QWidget* parent)
+    : QWidget(parent), rig_(rig), refused_button_(new QPushButton(tr("Refused lights"), this)) {
   setObjectName(QStringLiteral("stereoImageView"));
   setAccessibleName(tr("Camera images"));
-  setToolTip(tr("Click to enlarge (Ctrl+I)"));
+  setToolTip(
+      tr("Click to enlarge (Ctrl+I)\nDashed: partly covered. Dotted with ?: several partners possible"));
   setCursor(Qt::PointingHandCursor);
   setFocusPolicy(Qt::StrongFocus);
+  const QKeySequence key(QStringLiteral("Ctrl+L"));
+  refused_button_->setObjectName(QStringLiteral("refusedLightsButton"));
+  refused_button_->setAccessibleName(tr("Show refused lights"));
+  refused_button_->setToolTip(
+      tr("Say of every light why it is no marker (%1)").arg(key.toString(QKeySequence::NativeText)));
+  refused_button_->setShortcut(key);
+  refused_button_->setProperty("chip", true);
+  refused_button_->setCheckable(true);
+  refused_button_->setChecked(true);
+  connect(refused_button_, &QPushButton::toggled, this, [this] { update(); });
 }
 
 void StereoImageView::setTheme(const Theme& theme) {
@@ -32,53 +46,8 @@ void StereoImageView::setTheme(const Theme& theme) {
 void StereoImageView::show(const std::shared_ptr<const station::TrackedFrame>& frame) {
   if (frame == frame_) return;
   frame_ = frame;
-  readOverlays();
+  overlay_ = frame_ ? overlayOf(*frame_, rig_) : StereoOverlay{};
   update();
-}
-
-void StereoImageView::readOverlays() {
-  overlays_ = {};
-  if (!frame_) return;
-  const auto& seen = frame_->observation;
-  std::vector<int> left(seen.left.markers.size(), -1);
-  std::vector<int> right(seen.right.markers.size(), -1);
-  if (!frame_->targets.empty()) {
-    const auto& target = frame_->targets.front();
-    for (int marker = 0; marker < target.marker_count; ++marker) {
-      const auto point = target.point_of_marker[static_cast<std::size_t>(marker)];
-      if (point < 0 || static_cast<std::size_t>(point) >= seen.points.size()) continue;
-      left[static_cast<std::size_t>(seen.points[static_cast<std::size_t>(point)].left)] = marker + 1;
-      right[static_cast<std::size_t>(seen.points[static_cast<std::size_t>(point)].right)] = marker + 1;
-    }
-  }
-  addMarks(seen.left, left, overlays_[0]);
-  addMarks(seen.right, right, overlays_[1]);
-  for (const auto& point : seen.points)
-    overlays_[1].epipolar_lines.push_back(
-        epipolarLine(seen.left.markers[static_cast<std::size_t>(point.left)].centre_px));
-}
-
-void StereoImageView::addMarks(const vision::Detection& detection, const std::vector<int>& identities,
-                               ImageOverlay& overlay) const {
-  for (std::size_t i = 0; i < detection.markers.size(); ++i) {
-    const auto& marker = detection.markers[i];
-    const auto identity = identities[i] > 0 ? std::optional(identities[i]) : std::nullopt;
-    overlay.marks.push_back({marker.ellipse, {marker.centre_px.x(), marker.centre_px.y()}, identity});
-  }
-}
-
-// Where the ray of a left pixel lies in the right image: a line through a pinhole, a curve through a fisheye.
-QPolygonF StereoImageView::epipolarLine(const Eigen::Vector2d& left_px) const {
-  QPolygonF line;
-  const auto ray = rig_.left.unproject(left_px);
-  for (int step = 0; ray && step <= kLineSteps; ++step) {
-    const double inverse_depth =
-        1.0 / kFarthest_m + (1.0 / kNearest_m - 1.0 / kFarthest_m) * step / kLineSteps;
-    const Eigen::Vector3d p_C = Eigen::Vector3d(ray->x(), ray->y(), 1.0) / inverse_depth;
-    const auto pixel = rig_.right.project(rig_.X_RC * p_C);
-    if (pixel) line << QPointF(pixel->x(), pixel->y());
-  }
-  return line;
 }
 
 StereoImageView::Places StereoImageView::places() const {
@@ -104,7 +73,7 @@ StereoImageView::Places StereoImageView::places() const {
 QRectF StereoImageView::closeUpOf(const QSizeF& place) const {
   const QRectF whole(0, 0, frame_->frame.left.width(), frame_->frame.left.height());
   QPolygonF centres;
-  for (const auto& mark : overlays_[0].marks)
+  for (const auto& mark : overlay_.left.marks)
     if (mark.identity || frame_->targets.empty()) centres << mark.centre_px;
   if (centres.isEmpty()) return fitted(place, whole);
   const QRectF extent = centres.boundingRect();
@@ -130,11 +99,22 @@ void StereoImageView::paintEvent(QPaintEvent*) {
   }
   const auto& [left, right] = std::tie(frame_->frame.left, frame_->frame.right);
   const QRectF whole(0, 0, left.width(), left.height());
-  ImageCell(left, whole, place.left).draw(painter, overlays_[0], theme_, tr("Left camera"));
-  ImageCell(right, whole, place.right).draw(painter, overlays_[1], theme_, tr("Right camera"));
+  const bool refused = refused_button_->isChecked();
+  ImageCell(left, whole, place.left).draw(painter, overlay_.left, refused, theme_, tr("Left camera"));
+  ImageCell(right, whole, place.right).draw(painter, overlay_.right, refused, theme_, tr("Right camera"));
   if (place.close_up.width() < 60 || place.close_up.height() < 60) return;
-  ImageCell(left, closeUpOf(place.close_up.size()), place.close_up)
-      .draw(painter, overlays_[0], theme_, tr("Close-up, left"));
+  ImageCell close_up(left, closeUpOf(place.close_up.size()), place.close_up);
+  close_up.keepFree(refused_button_->geometry());
+  close_up.draw(painter, overlay_.left, refused, theme_, tr("Close-up, left"));
+}
+
+// In the lower right corner, where the close-up ends.
+void StereoImageView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  refused_button_->adjustSize();
+  const QSize gap(kButtonMargin_px, kButtonMargin_px);
+  const QSize corner = size() - refused_button_->size() - gap;
+  refused_button_->move(corner.width(), corner.height());
 }
 
 void StereoImageView::mousePressEvent(QMouseEvent* event) {

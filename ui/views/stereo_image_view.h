@@ -1,19 +1,20 @@
 #pragma once
 
-#include <array>
 #include <memory>
 
 #include <QWidget>
 
 #include "core/camera/stereo_rig.h"
 #include "core/station/snapshot.h"
-#include "ui/views/image_cell.h"
+#include "ui/model/image_overlay.h"
 #include "ui/views/theme.h"
+
+class QPushButton;
 
 namespace mirrorarm::ui {
 
-/// Both camera images as they came, with the fitted ellipses, the markers' numbers and the epipolar lines,
-/// and a close-up of the target. A click or the return key asks to enlarge it.
+/// Both camera images as they came, with the fitted ellipses, the markers' numbers, the epipolar lines and
+/// why other lights were refused, and a close-up of the target. A click or the return key asks to enlarge it.
 class StereoImageView : public QWidget {
   Q_OBJECT
  public:
@@ -31,6 +32,7 @@ class StereoImageView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Places {
@@ -40,15 +42,11 @@ class StereoImageView : public QWidget {
   };
   [[nodiscard]] Places places() const;
   [[nodiscard]] QRectF closeUpOf(const QSizeF& place) const;
-  void readOverlays();
-  void addMarks(const vision::Detection& detection, const std::vector<int>& identities,
-                ImageOverlay& overlay) const;
-  [[nodiscard]] QPolygonF epipolarLine(const Eigen::Vector2d& left_px) const;
-
   const camera::StereoRig& rig_;
   Theme theme_;
   std::shared_ptr<const station::TrackedFrame> frame_;
-  std::array<ImageOverlay, 2> overlays_;  ///< left, right
+  StereoOverlay overlay_;
+  QPushButton* refused_button_;
 };
 
 }  // namespace mirrorarm::ui

@@ -9,6 +9,7 @@
 
 #include "tests/ui/fake_bench.h"
 #include "ui/panels/main_window.h"
+#include "ui/panels/quality_panel.h"
 #include "ui/panels/stop_button.h"
 #include "ui/views/scene_view.h"
 
@@ -179,6 +180,49 @@ TEST_F(Window, TheImagesCanBeEnlargedAndPutBack) {
   find("imagesButton")->click();
   QCoreApplication::processEvents();
   EXPECT_EQ(images->height(), small);
+}
+
+TEST_F(Window, RefusedLightsAreShownUntilTheyAreHidden) {
+  enter(Phase::kTraining);
+  station_.clutter();
+  beat();
+  for (const bool dark : {false, true}) {
+    window_.setDark(dark);
+    QCoreApplication::processEvents();
+    keep(dark ? QStringLiteral("clutter-strip-dark.png") : QStringLiteral("clutter-strip.png"));
+  }
+  find("imagesButton")->click();
+  QCoreApplication::processEvents();
+  auto* images = find<QWidget>("stereoImageView");
+  const QImage shown = images->grab().toImage();
+  keep(QStringLiteral("clutter.png"));
+  find("refusedLightsButton")->click();
+  QCoreApplication::processEvents();
+  EXPECT_NE(images->grab().toImage(), shown);
+  keep(QStringLiteral("clutter-hidden.png"));
+  find("refusedLightsButton")->click();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(images->grab().toImage(), shown);
+}
+
+TEST_F(Window, WarningsOfBothCamerasFitASmallScreen) {
+  auto warned = std::make_shared<station::TrackedFrame>(*station_.shown.frame);
+  warned->observation.left.exposure.warning = vision::ExposureWarning::kTooDark;
+  warned->observation.right.exposure.warning = vision::ExposureWarning::kBrightBackground;
+  TrackingPresenter presenter;
+  presenter.show({warned, {}, {}}, warned->frame.exposed_at);
+  auto* panel = find<QualityPanel>("qualityPanel");
+  panel->show(presenter.state());
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window_.size(), QSize(1366, 768));
+  for (const auto* label : panel->findChildren<QLabel*>())
+    if (label->isVisible() && !label->text().contains(QLatin1Char('<'))) {
+      EXPECT_LE(label->sizeHint().width(), label->width()) << label->text().toStdString();
+    }
+  const auto* plot = find<QWidget>("motionPlot");
+  EXPECT_GE(plot->height(), plot->minimumHeight());
+  EXPECT_LE(plot->mapTo(panel, QPoint(0, plot->height())).y(), panel->height()) << "cut off below";
+  keep(QStringLiteral("warnings.png"));
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ TEST_P(ThemeOf, TextCanBeRead) {
                                                                {"on_alarm_high", "alarm_high"},
                                                                {"on_alarm_medium", "alarm_medium"},
                                                                {"on_alarm_low", "alarm_low"},
-                                                               {"image_text", "image_ground"}};
+                                                               {"image_text", "image_ground"},
+                                                               {"image_refused", "image_ground"}};
   for (const auto& [text, ground] : pairs) EXPECT_GE(between(text, ground), 4.5) << text << " on " << ground;
 }
 
