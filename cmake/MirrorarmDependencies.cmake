@@ -34,6 +34,7 @@ if(MIRRORARM_SANITIZE)
   target_compile_options(deps_soci INTERFACE -fno-sanitize=vptr)
 endif()
 mirrorarm_found_library(deps_visp LIBRARIES visp_vision visp_core INCLUDE visp3/vision/vpHandEyeCalibration.h)
+mirrorarm_found_library(deps_visp_blob LIBRARIES visp_blob visp_core INCLUDE visp3/blob/vpDot2.h)
 
 # VTK's Qt module decides which Qt: two majors in one process do not go together.
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonTransforms FiltersSources FiltersGeneral

@@ -1,0 +1,76 @@
+#include "benchmarks/vision/estimators.h"
+
+#include <algorithm>
+
+#include "benchmarks/vision/visp_dot.h"
+#include "core/vision/marker_finder.h"
+
+namespace mirrorarm::benchmarks::vision {
+namespace {
+
+constexpr double kNear_px = 5.0;
+
+class FinderEstimator : public CentreEstimator {
+ public:
+  explicit FinderEstimator(const product::FinderSettings& settings)
+      : name_(product::id(settings.method)), finder_(settings) {}
+
+  std::string name() const override { return name_; }
+  bool isOurs() const override { return true; }
+
+  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+    const product::Detection& found = finder_.find(image);
+    const auto distance = [&](const product::DetectedMarker& marker) {
+      return (marker.centre_px - near_px).norm();
+    };
+    const auto nearest = std::ranges::min_element(found.markers, {}, distance);
+    if (nearest == found.markers.end() || !(distance(*nearest) < kNear_px)) return std::nullopt;
+    return Estimate{nearest->centre_px, nearest->covariance_px2, nearest->cut};
+  }
+
+ private:
+  std::string name_;
+  product::MarkerFinder finder_;
+};
+
+class VispEstimator : public CentreEstimator {
+ public:
+  std::string name() const override { return "vpDot2"; }
+
+  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+    const auto centre =
+        dot_.centre(image.data, image.width_px, image.height_px, image.stride, near_px.x(), near_px.y());
+    if (!centre) return std::nullopt;
+    const Eigen::Vector2d centre_px((*centre)[0], (*centre)[1]);
+    if (!((centre_px - near_px).norm() < kNear_px)) return std::nullopt;
+    return Estimate{centre_px, std::nullopt, false};
+  }
+
+ private:
+  VispDot dot_;
+};
+
+}  // namespace
+
+std::unique_ptr<CentreEstimator> finderEstimator(product::CentreMethod method) {
+  product::FinderSettings settings;
+  settings.method = method;
+  return std::make_unique<FinderEstimator>(settings);
+}
+
+std::unique_ptr<CentreEstimator> vispDot() { return std::make_unique<VispEstimator>(); }
+
+Estimators allEstimators() {
+  Estimators all;
+  using enum product::CentreMethod;
+  for (const auto method : {kMaximumLikelihood, kDualConic, kLindebergFitzgibbon})
+    all.push_back(finderEstimator(method));
+  all.push_back(greyCentroid());
+  all.push_back(cannyEllipse());
+  all.push_back(contourEllipse());
+  all.push_back(blobDetector());
+  all.push_back(vispDot());
+  return all;
+}
+
+}  // namespace mirrorarm::benchmarks::vision
