@@ -28,7 +28,7 @@ struct Worker {
     trial.truth = make(random);
     const auto image = exposed(lightOf(trial.truth), trial.truth.contrast / snr, random);
     for (const auto& estimator : estimators)
-      trial.estimates.push_back(estimator->estimate(image.view(), hintOf(trial.truth)));
+      trial.answers.push_back(estimator->estimate(image.view(), hintOf(trial.truth)));
   }
 };
 
@@ -39,7 +39,7 @@ MethodError errorOf(const std::vector<DiscTrial>& trials, std::size_t method,
   double normalised = 0.0;
   bool tells = false;
   for (const DiscTrial& trial : trials) {
-    const auto& estimate = trial.estimates[method];
+    const auto& estimate = trial.answers[method];
     if (!estimate) continue;
     const Eigen::Vector2d off = estimate->centre_px - trial.truth.centre_px;
     rms.addSquare(off.squaredNorm(), 2);

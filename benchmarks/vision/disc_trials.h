@@ -14,7 +14,7 @@ namespace mirrorarm::benchmarks::vision {
 /// What all methods said about one image.
 struct DiscTrial {
   Disc truth;
-  std::vector<std::optional<Estimate>> estimates;  ///< in the order of allEstimators()
+  std::vector<Answer> answers;  ///< in the order of allEstimators()
 };
 
 /// Makes the disc of a trial.

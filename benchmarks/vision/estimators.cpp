@@ -10,6 +10,13 @@ namespace {
 
 constexpr double kNear_px = 5.0;
 
+Miss missIn(const product::Detection& found, const Eigen::Vector2d& near_px) {
+  const auto isCutHere = [&](const product::RejectedLight& light) {
+    return light.reason == product::Rejection::kCut && (light.position_px - near_px).norm() < kNear_px;
+  };
+  return std::ranges::any_of(found.rejected_lights, isCutHere) ? Miss::kRefusedAsCut : Miss::kNotFound;
+}
+
 class FinderEstimator : public CentreEstimator {
  public:
   explicit FinderEstimator(const product::FinderSettings& settings)
@@ -18,13 +25,14 @@ class FinderEstimator : public CentreEstimator {
   std::string name() const override { return name_; }
   bool isOurs() const override { return true; }
 
-  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+  Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     const product::Detection& found = finder_.find(image);
     const auto distance = [&](const product::DetectedMarker& marker) {
       return (marker.centre_px - near_px).norm();
     };
     const auto nearest = std::ranges::min_element(found.markers, {}, distance);
-    if (nearest == found.markers.end() || !(distance(*nearest) < kNear_px)) return std::nullopt;
+    if (nearest == found.markers.end() || !(distance(*nearest) < kNear_px))
+      return unexpected(missIn(found, near_px));
     return Estimate{nearest->centre_px, nearest->covariance_px2, nearest->cut};
   }
 
@@ -37,12 +45,12 @@ class VispEstimator : public CentreEstimator {
  public:
   std::string name() const override { return "vpDot2"; }
 
-  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+  Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     const auto centre =
         dot_.centre(image.data, image.width_px, image.height_px, image.stride, near_px.x(), near_px.y());
-    if (!centre) return std::nullopt;
+    if (!centre) return unexpected(Miss::kNotFound);
     const Eigen::Vector2d centre_px((*centre)[0], (*centre)[1]);
-    if (!((centre_px - near_px).norm() < kNear_px)) return std::nullopt;
+    if (!((centre_px - near_px).norm() < kNear_px)) return unexpected(Miss::kNotFound);
     return Estimate{centre_px, std::nullopt, false};
   }
 
@@ -60,16 +68,22 @@ std::unique_ptr<CentreEstimator> finderEstimator(product::CentreMethod method) {
 
 std::unique_ptr<CentreEstimator> vispDot() { return std::make_unique<VispEstimator>(); }
 
+Estimators otherEstimators() {
+  Estimators others;
+  others.push_back(greyCentroid());
+  others.push_back(cannyEllipse());
+  others.push_back(contourEllipse());
+  others.push_back(blobDetector());
+  others.push_back(vispDot());
+  return others;
+}
+
 Estimators allEstimators() {
   Estimators all;
   using enum product::CentreMethod;
   for (const auto method : {kMaximumLikelihood, kDualConic, kLindebergFitzgibbon})
     all.push_back(finderEstimator(method));
-  all.push_back(greyCentroid());
-  all.push_back(cannyEllipse());
-  all.push_back(contourEllipse());
-  all.push_back(blobDetector());
-  all.push_back(vispDot());
+  for (auto& other : otherEstimators()) all.push_back(std::move(other));
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/camera/image.h"
+#include "core/common/expected.h"
 #include "core/vision/finder_settings.h"
 
 namespace mirrorarm::benchmarks::vision {
@@ -21,6 +22,13 @@ struct Estimate {
   bool cut = false;                               ///< says that something covers a part
 };
 
+/// Why there is no estimate.
+enum class Miss {
+  kNotFound,     ///< nothing within 5 px
+  kRefusedAsCut  ///< a light is there, and the method says that something covers a part of it
+};
+using Answer = Expected<Estimate, Miss>;
+
 /// One way to measure the centre of a bright disc. Keeps its buffers; one thread.
 class CentreEstimator {
  public:
@@ -28,9 +36,8 @@ class CentreEstimator {
   [[nodiscard]] virtual std::string name() const = 0;
   /// True for the methods of this project: goals speak of them.
   [[nodiscard]] virtual bool isOurs() const { return false; }
-  /// The disc nearest to `near_px`, or nothing when none is found within 5 px of it.
-  [[nodiscard]] virtual std::optional<Estimate> estimate(const camera::ImageView& image,
-                                                         const Eigen::Vector2d& near_px) = 0;
+  /// The disc nearest to `near_px`.
+  [[nodiscard]] virtual Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) = 0;
 };
 
 using Estimators = std::vector<std::unique_ptr<CentreEstimator>>;
@@ -49,6 +56,8 @@ using Estimators = std::vector<std::unique_ptr<CentreEstimator>>;
 /// vpDot2, started at the disc, without its test of the shape.
 [[nodiscard]] std::unique_ptr<CentreEstimator> vispDot();
 
+/// The methods of others.
+[[nodiscard]] Estimators otherEstimators();
 /// All of them, ours first, the default method at the front.
 [[nodiscard]] Estimators allEstimators();
 

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kNear_px = 5.0;
 
-std::optional<Estimate> nearEnough(const cv::Point2d& centre, const Eigen::Vector2d& near_px) {
+Answer nearEnough(const cv::Point2d& centre, const Eigen::Vector2d& near_px) {
   const Eigen::Vector2d centre_px(centre.x, centre.y);
-  if (!((centre_px - near_px).norm() < kNear_px)) return std::nullopt;
+  if (!((centre_px - near_px).norm() < kNear_px)) return unexpected(Miss::kNotFound);
   return Estimate{centre_px, std::nullopt, false};
 }
 
@@ -40,11 +40,11 @@ class GreyCentroid : public CentreEstimator {
  public:
   std::string name() const override { return "grey_centroid"; }
 
-  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+  Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     const cv::Mat grey = viewOf(image).clone();
     cv::subtract(grey, middleGrey(grey), above_);  // below it saturates at 0
     const cv::Moments moments = cv::moments(above_);
-    if (moments.m00 <= 0.0) return std::nullopt;
+    if (moments.m00 <= 0.0) return unexpected(Miss::kNotFound);
     return nearEnough({moments.m10 / moments.m00, moments.m01 / moments.m00}, near_px);
   }
 
@@ -56,12 +56,12 @@ class ContourEllipse : public CentreEstimator {
  public:
   std::string name() const override { return "contour_fitEllipse"; }
 
-  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+  Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     const cv::Mat grey = viewOf(image).clone();
     cv::threshold(grey, above_, middleGrey(grey), 255.0, cv::THRESH_BINARY);
     cv::findContours(above_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     const auto* outline = longest(contours_);
-    if (outline == nullptr) return std::nullopt;
+    if (outline == nullptr) return unexpected(Miss::kNotFound);
     return nearEnough(cv::fitEllipse(*outline).center, near_px);
   }
 
@@ -74,12 +74,12 @@ class CannyEllipse : public CentreEstimator {
  public:
   std::string name() const override { return "canny_fitEllipseDirect"; }
 
-  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+  Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     cv::GaussianBlur(viewOf(image), smooth_, {5, 5}, 1.0);
     cv::Canny(smooth_, edges_, 50.0, 100.0);
     cv::findContours(edges_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     const auto* outline = longest(contours_);
-    if (outline == nullptr) return std::nullopt;
+    if (outline == nullptr) return unexpected(Miss::kNotFound);
     return nearEnough(cv::fitEllipseDirect(*outline).center, near_px);
   }
 
@@ -105,13 +105,13 @@ class BlobDetector : public CentreEstimator {
 
   std::string name() const override { return "SimpleBlobDetector"; }
 
-  std::optional<Estimate> estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
+  Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     detector_->detect(viewOf(image), blobs_);
     const auto distance = [&](const cv::KeyPoint& blob) {
       return (Eigen::Vector2d(blob.pt.x, blob.pt.y) - near_px).norm();
     };
     const auto nearest = std::ranges::min_element(blobs_, {}, distance);
-    if (nearest == blobs_.end()) return std::nullopt;
+    if (nearest == blobs_.end()) return unexpected(Miss::kNotFound);
     return nearEnough(nearest->pt, near_px);
   }
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 
-/// Counts what the calling thread takes from the heap, through whatever door (operator new, Eigen, a C
+/// Counts what a thread, or all of them, takes from the heap, through whatever door (operator new, Eigen, a C
 /// library). Add tests/common/no_heap.cpp, which stands in for the C library's malloc, to the test program.
 namespace mirrorarm::testing {
 
@@ -14,13 +15,22 @@ inline constexpr bool heapIsCounted = true;
 #endif
 
 inline thread_local std::size_t heap_calls = 0;
+inline std::atomic<std::size_t> heap_calls_of_all_threads{0};
 
-/// How often the heap was asked while `work` ran.
+/// How often the calling thread asked the heap while `work` ran.
 template <class Work>
 std::size_t heapCallsIn(Work&& work) {
   const std::size_t before = heap_calls;
   work();
   return heap_calls - before;
+}
+
+/// How often any thread asked the heap while `work` ran.
+template <class Work>
+std::size_t heapCallsOfAllThreadsIn(Work&& work) {
+  const std::size_t before = heap_calls_of_all_threads;
+  work();
+  return heap_calls_of_all_threads - before;
 }
 
 }  // namespace mirrorarm::testing
