@@ -16,16 +16,20 @@ EpipolarGeometry::EpipolarGeometry(const camera::StereoRig& rig) : left_(rig.lef
   const auto& l = rig.left.intrinsics();
   const auto& r = rig.right.intrinsics();
   focal_px_ = 0.25 * (l.fx_px + l.fy_px + r.fx_px + r.fy_px);
+  baseline_m_ = rig.X_RC.translation().norm();
 }
 
 std::optional<RectifiedPoint> EpipolarGeometry::rectify(const camera::CameraModel& camera,
                                                         const Eigen::Matrix3d& R,
                                                         const Eigen::Vector2d& pixel) const {
-  const auto point = camera.unproject(pixel);
+  camera::CameraModel::UnprojectJacobian by_pixel;
+  const auto point = camera.unproject(pixel, by_pixel);
   if (!point) return std::nullopt;
-  const Eigen::Vector3d ray = R * Eigen::Vector3d(point->x(), point->y(), 1.0).normalized();
-  if (!(ray.z() > 1e-3)) return std::nullopt;
-  return RectifiedPoint{ray, focal_px_ / ray.z() * ray.head<2>()};
+  const Eigen::Vector3d ray = R * point->homogeneous();
+  if (!(ray.z() > 1e-3 * ray.norm())) return std::nullopt;
+  const Eigen::Vector2d slope = ray.head<2>() / ray.z();
+  const Eigen::RowVector2d row_by_point = (R.block<1, 2>(1, 0) - slope.y() * R.block<1, 2>(2, 0)) / ray.z();
+  return RectifiedPoint{focal_px_ * slope, focal_px_ * row_by_point * by_pixel};
 }
 
 std::optional<RectifiedPoint> EpipolarGeometry::left(const Eigen::Vector2d& pixel) const {
@@ -36,9 +40,15 @@ std::optional<RectifiedPoint> EpipolarGeometry::right(const Eigen::Vector2d& pix
   return rectify(right_, R_ER_, pixel);
 }
 
-double EpipolarGeometry::epipolarDistance_px(const RectifiedPoint& left, const RectifiedPoint& right) const {
-  const Eigen::Vector2d normal = Eigen::Vector2d(-left.ray.z(), left.ray.y()).normalized();
-  return focal_px_ * std::abs(normal.x() * right.ray.y() + normal.y() * right.ray.z());
+double EpipolarGeometry::epipolarDistance_px(const RectifiedPoint& left, const RectifiedPoint& right) {
+  return std::abs(left.rectified_px.y() - right.rectified_px.y()) / right.row_by_pixel.norm();
+}
+
+Eigen::Vector3d EpipolarGeometry::pointOf(const RectifiedPoint& left, const RectifiedPoint& right) const {
+  const double disparity_px = left.rectified_px.x() - right.rectified_px.x();
+  const double row_px = 0.5 * (left.rectified_px.y() + right.rectified_px.y());
+  const Eigen::Vector3d p_E(left.rectified_px.x(), row_px, focal_px_);
+  return baseline_m_ / disparity_px * (R_EC_.transpose() * p_E);
 }
 
 }  // namespace mirrorarm::vision

@@ -2,109 +2,127 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "core/vision/epipolar_geometry.h"
-#include "core/vision/triangulation.h"
+#include "core/vision/pair_measurement.h"
 
 namespace mirrorarm::vision {
 namespace {
 
-constexpr double kLeastSeparation_px = 1.0;
-constexpr double kScoreRounding = 1e-9;
+double squared(double x) { return x * x; }
 
-/// A left and a right marker that may be one disc.
-struct Candidate {
-  StereoPoint point;
-  Eigen::Vector2d cyclopean_px;
-  double disparity_px;
-  double score = 0.0;
-};
-
-using RectifiedPoints = std::vector<std::optional<RectifiedPoint>>;
-
-bool shareAMarker(const Candidate& a, const Candidate& b) {
-  return a.point.left == b.point.left || a.point.right == b.point.right;
+/// Half of the calibration's error each: a rig's record tells the distance of one centre from the other's
+/// line.
+double calibrationVariance(const camera::StereoRig& rig, const MatcherSettings& settings) {
+  const double recorded_px = rig.calibration.hold_out_epipolar_px;
+  const double sigma_px = recorded_px > 0.0 ? recorded_px : settings.unknown_calibration_px;
+  return 0.5 * squared(std::max(sigma_px, settings.least_calibration_px));
 }
 
-std::optional<Candidate> pairUp(const camera::StereoRig& rig, const EpipolarGeometry& geometry,
-                                std::span<const DetectedMarker> lefts, std::span<const DetectedMarker> rights,
-                                const RectifiedPoint& left, const RectifiedPoint& right, int l, int r,
-                                const MatcherSettings& settings) {
-  const double epipolar_px = geometry.epipolarDistance_px(left, right);
-  const double disparity_px = left.rectified_px.x() - right.rectified_px.x();
-  if (epipolar_px > settings.epipolar_tolerance_px || disparity_px <= 0.0) return std::nullopt;
-  const auto point =
-      triangulate(rig, lefts[static_cast<std::size_t>(l)], rights[static_cast<std::size_t>(r)]);
-  if (!point || point->p_C.z() < settings.min_depth_m || point->p_C.z() > settings.max_depth_m)
-    return std::nullopt;
-  return Candidate{{point->p_C, point->covariance_m2, l, r, epipolar_px},
-                   0.5 * (left.rectified_px + right.rectified_px),
-                   disparity_px};
+const DetectedMarker& at(std::span<const DetectedMarker> markers, int index) {
+  return markers[static_cast<std::size_t>(index)];
 }
 
-std::vector<Candidate> candidatesOf(const camera::StereoRig& rig, std::span<const DetectedMarker> lefts,
-                                    std::span<const DetectedMarker> rights, const MatcherSettings& settings) {
-  const EpipolarGeometry geometry(rig);
-  RectifiedPoints right_points;
-  for (const auto& marker : rights) right_points.push_back(geometry.right(marker.centre_px));
-  std::vector<Candidate> candidates;
-  for (int l = 0; l < static_cast<int>(lefts.size()); ++l) {
-    const auto left = geometry.left(lefts[static_cast<std::size_t>(l)].centre_px);
-    for (int r = 0; left && r < static_cast<int>(rights.size()); ++r) {
-      const auto& right = right_points[static_cast<std::size_t>(r)];
-      if (!right) continue;
-      const auto candidate = pairUp(rig, geometry, lefts, rights, *left, *right, l, r, settings);
-      if (candidate) candidates.push_back(*candidate);
-    }
-  }
-  return candidates;
-}
-
-/// What `other` says for `one`: reciprocal cyclopean distance when their disparity gradient is within the
-/// limit.
-double support(const Candidate& one, const Candidate& other, double max_gradient) {
-  if (shareAMarker(one, other)) return 0.0;
-  const double separation_px = (one.cyclopean_px - other.cyclopean_px).norm();
-  const double difference_px = std::abs(one.disparity_px - other.disparity_px);
-  if (difference_px > max_gradient * separation_px) return 0.0;
-  return 1.0 / std::max(separation_px, kLeastSeparation_px);
-}
-
-/// Adds `sign` times what `one` says for each of the others to their scores.
-void spreadSupport(const Candidate& one, double sign, double max_gradient, std::span<Candidate> others) {
-  for (auto& other : others) other.score += sign * support(other, one, max_gradient);
-}
-
-/// Higher score first; of equal ones (nobody near: score 0) the nearer to its epipolar line.
-bool isWorse(const Candidate& a, const Candidate& b) {
-  if (std::abs(a.score - b.score) > kScoreRounding) return a.score < b.score;
-  return a.point.epipolar_px > b.point.epipolar_px;
+/// Preferred ones first, then by support; of equal ones the first found.
+bool comesBefore(const StereoPoint& a, const StereoPoint& b) {
+  if (a.preferred != b.preferred) return a.preferred;
+  if (a.support != b.support) return a.support > b.support;
+  return a.left != b.left ? a.left < b.left : a.right < b.right;
 }
 
 }  // namespace
 
-std::vector<StereoPoint> matchStereo(const camera::StereoRig& rig, std::span<const DetectedMarker> left,
-                                     std::span<const DetectedMarker> right, const MatcherSettings& settings) {
-  auto candidates = candidatesOf(rig, left, right, settings);
-  const double max_gradient = settings.max_disparity_gradient;
-  for (const auto& candidate : candidates) spreadSupport(candidate, 1.0, max_gradient, candidates);
-  std::vector<StereoPoint> points;
-  while (!candidates.empty()) {
-    const Candidate winner = *std::max_element(candidates.begin(), candidates.end(), isWorse);
-    points.push_back(winner.point);
-    const auto open = std::partition(candidates.begin(), candidates.end(),
-                                     [&](const Candidate& other) { return !shareAMarker(winner, other); });
-    // A pair that is ruled out no longer speaks for others; the winner does.
-    const std::span<Candidate> still_open(candidates.begin(), open);
-    for (auto closed = open; closed != candidates.end(); ++closed) {
-      const bool is_winner =
-          closed->point.left == winner.point.left && closed->point.right == winner.point.right;
-      if (!is_winner) spreadSupport(*closed, -1.0, max_gradient, still_open);
-    }
-    candidates.erase(open, candidates.end());
+StereoMatcher::StereoMatcher(const camera::StereoRig& rig, const MatcherSettings& settings)
+    : rig_(rig),
+      settings_(settings),
+      geometry_(rig),
+      calibration_variance_px2_(calibrationVariance(rig, settings)) {}
+
+std::span<const StereoPoint> StereoMatcher::match(std::span<const DetectedMarker> left,
+                                                  std::span<const DetectedMarker> right) {
+  sight(left, Side::kLeft, lefts_);
+  sight(right, Side::kRight, rights_);
+  collect();
+  keepTheNearest();
+  pairs_.clear();
+  points_.clear();
+  for (const auto& candidate : candidates_) measure(candidate, left, right);
+  fillSupport(pairs_, settings_.max_disparity_gradient, points_);
+  std::sort(points_.begin(), points_.end(), comesBefore);
+  return points_;
+}
+
+/// Markers without a ray, or with numbers that are none, stay out.
+void StereoMatcher::sight(std::span<const DetectedMarker> markers, Side side,
+                          std::vector<Sighting>& sightings) const {
+  sightings.clear();
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    const auto& marker = markers[i];
+    const auto point =
+        side == Side::kLeft ? geometry_.left(marker.centre_px) : geometry_.right(marker.centre_px);
+    if (!point || !point->rectified_px.allFinite()) continue;
+    const Eigen::RowVector2d& gain = point->row_by_pixel;
+    const double variance_px2 =
+        gain.dot(gain * marker.covariance_px2) + calibration_variance_px2_ * gain.squaredNorm();
+    if (std::isfinite(variance_px2)) sightings.push_back({*point, variance_px2, static_cast<int>(i)});
   }
-  return points;
+}
+
+void StereoMatcher::collect() {
+  std::sort(rights_.begin(), rights_.end(), [](const Sighting& a, const Sighting& b) {
+    return a.at.rectified_px.y() < b.at.rectified_px.y();
+  });
+  double most_variance_px2 = 0.0;
+  for (const auto& right : rights_) most_variance_px2 = std::max(most_variance_px2, right.row_variance_px2);
+  candidates_.clear();
+  for (std::size_t i = 0; i < lefts_.size(); ++i)
+    collectNear(i,
+                settings_.epipolar_gate_sigmas * std::sqrt(lefts_[i].row_variance_px2 + most_variance_px2));
+}
+
+void StereoMatcher::collectNear(std::size_t left, double reach_px) {
+  const Sighting& l = lefts_[left];
+  const double row_px = l.at.rectified_px.y();
+  auto r = std::lower_bound(
+      rights_.begin(), rights_.end(), row_px - reach_px,
+      [](const Sighting& sighting, double row) { return sighting.at.rectified_px.y() < row; });
+  for (; r != rights_.end() && r->at.rectified_px.y() <= row_px + reach_px; ++r) {
+    const double off_px = r->at.rectified_px.y() - row_px;
+    const double misfit = squared(off_px) / (l.row_variance_px2 + r->row_variance_px2);
+    if (isPossible(l, *r, misfit))
+      candidates_.push_back({static_cast<int>(left), static_cast<int>(r - rights_.begin()), misfit});
+  }
+}
+
+bool StereoMatcher::isPossible(const Sighting& left, const Sighting& right, double epipolar_misfit) const {
+  if (epipolar_misfit > squared(settings_.epipolar_gate_sigmas)) return false;
+  if (!(left.at.rectified_px.x() > right.at.rectified_px.x())) return false;
+  const double depth_m = geometry_.pointOf(left.at, right.at).z();
+  return depth_m >= settings_.min_depth_m && depth_m <= settings_.max_depth_m;
+}
+
+void StereoMatcher::keepTheNearest() {
+  if (candidates_.size() <= kMostPairs) return;
+  const auto end = candidates_.begin() + kMostPairs;
+  std::nth_element(candidates_.begin(), end, candidates_.end(), [](const Candidate& a, const Candidate& b) {
+    return a.epipolar_misfit < b.epipolar_misfit;
+  });
+  candidates_.erase(end, candidates_.end());
+}
+
+void StereoMatcher::measure(const Candidate& candidate, std::span<const DetectedMarker> left,
+                            std::span<const DetectedMarker> right) {
+  const Sighting& l = lefts_[static_cast<std::size_t>(candidate.left)];
+  const Sighting& r = rights_[static_cast<std::size_t>(candidate.right)];
+  auto pair =
+      measurePair(rig_, settings_, geometry_.pointOf(l.at, r.at), at(left, l.marker), at(right, r.marker));
+  if (!pair) return;
+  pair->point.left = l.marker;
+  pair->point.right = r.marker;
+  pair->point.epipolar_px = EpipolarGeometry::epipolarDistance_px(l.at, r.at);
+  points_.push_back(pair->point);
+  pairs_.push_back({0.5 * (l.at.rectified_px + r.at.rectified_px),
+                    l.at.rectified_px.x() - r.at.rectified_px.x(),
+                    candidate.epipolar_misfit + pair->shape_misfit});
 }
 
 }  // namespace mirrorarm::vision

@@ -1,28 +1,64 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/camera/stereo_rig.h"
+#include "core/vision/disparity_support.h"
+#include "core/vision/epipolar_geometry.h"
+#include "core/vision/matcher_settings.h"
 #include "core/vision/stereo_observation.h"
 
 namespace mirrorarm::vision {
 
-struct MatcherSettings {
-  double epipolar_tolerance_px =
-      1.5;  ///< distance from the epipolar line, rectified at the rig's own focal length
-  double max_disparity_gradient = 1.0;  ///< |Gamma| that still supports a pair (paper: 1)
-  double min_depth_m = 0.10;
-  double max_depth_m = 2.0;
-};
+/// Pairs left and right markers and triangulates them. Every pair that the centres' covariances and the
+/// calibration's own error allow on one epipolar line, in the depth range, with outlines that one disc may
+/// have, is handed on; where several claim a disc, the neighbours' disparity gradients say which is
+/// preferred, and nothing is decided. Centres are corrected for eccentricity and lens curvature with the
+/// normal that both outlines give. Keeps its buffers. One thread. Source: paper section 2.2.2; Pollard,
+/// Mayhew, Frisby, Perception 14, 1985.
+class StereoMatcher {
+ public:
+  StereoMatcher(const camera::StereoRig& rig, const MatcherSettings& settings);
 
-/// Pairs left and right markers and triangulates them. Every pair near its epipolar line is a candidate; each
-/// is scored by the other candidates whose disparity gradient with it is within the limit, weighted by
-/// reciprocal distance in the cyclopean image; the best score is taken first and closes both its markers.
-/// Source: paper section 2.2.2, equations 10 and 11; Pollard, Mayhew, Frisby, Perception 14, 1985.
-[[nodiscard]] std::vector<StereoPoint> matchStereo(const camera::StereoRig& rig,
-                                                   std::span<const DetectedMarker> left,
-                                                   std::span<const DetectedMarker> right,
-                                                   const MatcherSettings& settings);
+  /// Preferred pairs first, the better supported before the others. The answer stays good until the next
+  /// call; nothing is taken from the heap once the buffers have grown. At most kMostPairs pairs are looked
+  /// at, those nearest to their epipolar lines: time is bounded whatever the images hold.
+  [[nodiscard]] std::span<const StereoPoint> match(std::span<const DetectedMarker> left,
+                                                   std::span<const DetectedMarker> right);
+  static constexpr std::size_t kMostPairs = 1024;
+
+ private:
+  /// A marker in its rectified image.
+  struct Sighting {
+    RectifiedPoint at;
+    double row_variance_px2 = 0.0;
+    int marker = -1;
+  };
+  struct Candidate {
+    int left = -1;  ///< index into lefts_
+    int right = -1;
+    double epipolar_misfit = 0.0;  ///< chi squared, 1 degree of freedom
+  };
+  enum class Side : std::uint8_t { kLeft, kRight };
+  void sight(std::span<const DetectedMarker> markers, Side side, std::vector<Sighting>& sightings) const;
+  void collect();
+  void collectNear(std::size_t left, double reach_px);
+  [[nodiscard]] bool isPossible(const Sighting& left, const Sighting& right, double epipolar_misfit) const;
+  void keepTheNearest();
+  void measure(const Candidate& candidate, std::span<const DetectedMarker> left,
+               std::span<const DetectedMarker> right);
+
+  camera::StereoRig rig_;
+  MatcherSettings settings_;
+  EpipolarGeometry geometry_;
+  double calibration_variance_px2_;  ///< of one image's share in the distance from an epipolar line
+  std::vector<Sighting> lefts_;
+  std::vector<Sighting> rights_;  ///< by row
+  std::vector<Candidate> candidates_;
+  std::vector<RectifiedPair> pairs_;
+  std::vector<StereoPoint> points_;
+};
 
 }  // namespace mirrorarm::vision
