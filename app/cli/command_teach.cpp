@@ -24,8 +24,7 @@ tracking::Teacher watch(PointSource& source, double seconds) {
     const PointFrame frame = source.frame(i);
     if (i == 0) begin = frame.exposed_at;
     if (secondsBetween(begin, frame.exposed_at) > seconds) break;
-    cloud_C.clear();
-    for (const auto& point : frame.points) cloud_C.push_back(point.p_C);
+    vision::collectPreferred(frame.points, cloud_C);
     teacher.add(cloud_C);
   }
   return teacher;

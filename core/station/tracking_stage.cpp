@@ -82,8 +82,7 @@ void TrackingStage::endLesson() {
 }
 
 void TrackingStage::learn(const TrackedFrame& seen) {
-  cloud_C_.clear();
-  for (const auto& point : seen.observation.points) cloud_C_.push_back(point.p_C);
+  vision::collectPreferred(seen.observation.points, cloud_C_);
   lesson_->add(cloud_C_);
 }
 
@@ -95,8 +94,7 @@ void TrackingStage::track(TrackedFrame& seen) {
 }
 
 void TrackingStage::reteach(const TrackedFrame& seen) {
-  cloud_C_.clear();
-  for (const auto& point : seen.observation.points) cloud_C_.push_back(point.p_C);
+  vision::collectPreferred(seen.observation.points, cloud_C_);
   const auto adapted = tracking::reteach(*target_, cloud_C_, last_tracked_.X_CT, tracker_settings_);
   if (!adapted) return;
   target_ = std::make_shared<const tracking::Target>(*adapted);

@@ -9,13 +9,21 @@
 
 namespace mirrorarm::tracking {
 
+/// The discs of both images that a cloud point was measured from, -1 where that is not known: of points that
+/// share a disc at most one is real.
+struct SeenDiscs {
+  int left = -1;
+  int right = -1;
+};
+[[nodiscard]] bool shareADisc(const SeenDiscs& a, const SeenDiscs& b);
+
 /// One-to-one pairs of moved model points and cloud points, nearest first. Keeps its buffers.
 class Association {
  public:
-  /// Fills `y_of_x` (-1 for none) with pairs not farther apart than `gate_m` under `X_YX`; returns their
-  /// number.
+  /// Fills `y_of_x` (-1 for none) with pairs not farther apart than `gate_m` under `X_YX`, no two of which
+  /// share a disc; returns their number. `discs_of_y` may be empty.
   int pair(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y, const RigidTransform& X_YX,
-           double gate_m, std::vector<int>& y_of_x);
+           double gate_m, std::vector<int>& y_of_x, std::span<const SeenDiscs> discs_of_y = {});
 
  private:
   struct Pair {

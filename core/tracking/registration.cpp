@@ -64,7 +64,7 @@ const RegistrationResult& Registration::search(Points x, Points y, const Registr
 
 /// Takes the nearest pairs under the guess for a beginning.
 void Registration::start(Points x, Points y, const RigidTransform& guess_YX, double gate_m) {
-  result_.matched = association_.pair(x, y, guess_YX, gate_m, result_.y_of_x);
+  result_.matched = association_.pair(x, y, guess_YX, gate_m, result_.y_of_x, discs_of_y_);
   result_.X_YX = guess_YX;
   result_.rms_m = gate_m;
 }
@@ -76,7 +76,7 @@ void Registration::settle(Points x, Points y, const RegistrationSettings& settin
     const double gate_m = std::clamp(kGateInRms * result_.rms_m, settings.softassign.tolerated_distance_m,
                                      kGateInRms * settings.max_rms_m);
     y_of_x_before_ = result_.y_of_x;
-    result_.matched = association_.pair(x, y, result_.X_YX, gate_m, result_.y_of_x);
+    result_.matched = association_.pair(x, y, result_.X_YX, gate_m, result_.y_of_x, discs_of_y_);
     if (result_.matched >= kMinForPose) fit(x, y);
     if (result_.y_of_x == y_of_x_before_) break;
   }

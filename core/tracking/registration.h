@@ -36,6 +36,9 @@ struct RegistrationResult {
 /// one thread. Coordinates must be finite. Results stay good until the next call.
 class Registration {
  public:
+  /// What the points of the cloud were measured from, for the registrations to come; empty when not known.
+  void setDiscs(std::span<const SeenDiscs> discs_of_y) { discs_of_y_ = discs_of_y; }
+
   /// From a guess that puts every marker within about `uncertainty_m` of its point.
   [[nodiscard]] const RegistrationResult& follow(std::span<const Eigen::Vector3d> x,
                                                  std::span<const Eigen::Vector3d> y,
@@ -63,6 +66,7 @@ class Registration {
   std::vector<int> y_of_x_before_;
   std::vector<Eigen::Vector3d> x_part_, y_part_;
   std::vector<double> even_;
+  std::span<const SeenDiscs> discs_of_y_;
 };
 
 }  // namespace mirrorarm::tracking

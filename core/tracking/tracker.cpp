@@ -30,6 +30,8 @@ struct Followed {
   int rejections = 0;
 };
 
+SeenDiscs discsOf(const StereoPoint& point) { return {point.left, point.right}; }
+
 double reachOf(const Target& target) {
   double reach = 0.0;
   for (const auto& p : target.markers_T) reach = std::max(reach, p.norm());
@@ -49,6 +51,7 @@ struct Tracker::Body {
   std::vector<char> taken;
   std::vector<Vector3d> cloud_C;
   std::vector<std::size_t> source;
+  std::vector<SeenDiscs> discs;
 
   Registration registration;
   std::vector<Vector3d> matched_T, matched_C;
@@ -59,6 +62,9 @@ struct Tracker::Body {
   void seek(std::size_t i, TimePoint exposed_at);
   void carryOn(std::size_t i, TimePoint exposed_at);
   void collectFree();
+  void clearCloud();
+  void collect(std::size_t point);
+  void take(std::size_t point);
   void collectNear(const Target& target, const RigidTransform& X_CT, double radius_m);
   void judge(std::size_t i, const RegistrationResult& fit, TimePoint exposed_at);
   void accept(std::size_t i, const RegistrationResult& fit, TimePoint exposed_at);
@@ -90,27 +96,40 @@ int Tracker::Body::countFree() const {
   return count;
 }
 
-void Tracker::Body::collectFree() {
+void Tracker::Body::clearCloud() {
   cloud_C.clear();
   source.clear();
-  for (std::size_t i = 0; i < points.size() && source.size() < kMaxPoints; ++i) {
-    if (!isFree(i)) continue;
-    cloud_C.push_back(points[i].p_C);
-    source.push_back(i);
-  }
+  discs.clear();
+}
+
+void Tracker::Body::collect(std::size_t point) {
+  cloud_C.push_back(points[point].p_C);
+  source.push_back(point);
+  discs.push_back(discsOf(points[point]));
+}
+
+/// With a point all others that claim one of its discs are gone.
+void Tracker::Body::take(std::size_t point) {
+  taken[point] = 1;
+  if (points[point].rivals == 0) return;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (shareADisc(discsOf(points[i]), discsOf(points[point]))) taken[i] = 1;
+}
+
+void Tracker::Body::collectFree() {
+  clearCloud();
+  for (std::size_t i = 0; i < points.size() && source.size() < kMaxPoints; ++i)
+    if (isFree(i)) collect(i);
 }
 
 void Tracker::Body::collectNear(const Target& target, const RigidTransform& X_CT, double radius_m) {
-  cloud_C.clear();
-  source.clear();
+  clearCloud();
   for (std::size_t i = 0; i < points.size() && source.size() < kMaxPoints; ++i) {
     const bool near =
         isFree(i) && std::any_of(target.markers_T.begin(), target.markers_T.end(), [&](const auto& p_T) {
           return (X_CT * p_T - points[i].p_C).squaredNorm() < radius_m * radius_m;
         });
-    if (!near) continue;
-    cloud_C.push_back(points[i].p_C);
-    source.push_back(i);
+    if (near) collect(i);
   }
 }
 
@@ -134,6 +153,7 @@ void Tracker::Body::follow(std::size_t i, TimePoint exposed_at) {
   const double uncertainty_m = trend.uncertaintyAt(exposed_at);
   collectNear(targets[i], X_CT, uncertainty_m + kDeformationInRms * settings.max_rms_m);
   const auto needed = registrationSettings(minMatched(targets[i]));
+  registration.setDiscs(discs);
   judge(i, registration.follow(targets[i].markers_T, cloud_C, needed, X_CT, uncertainty_m), exposed_at);
 }
 
@@ -142,6 +162,7 @@ void Tracker::Body::seek(std::size_t i, TimePoint exposed_at) {
   const auto markers = static_cast<int>(targets[i].markers_T.size());
   const int needed = std::max(minMatched(targets[i]), std::min(kMinForFirstFit, markers));
   collectFree();
+  registration.setDiscs(discs);
   judge(i, registration.search(targets[i].markers_T, cloud_C, registrationSettings(needed)), exposed_at);
 }
 
@@ -159,7 +180,7 @@ void Tracker::Body::accept(std::size_t i, const RegistrationResult& fit, TimePoi
   for (std::size_t j = 0; j < fit.y_of_x.size(); ++j) {
     if (fit.y_of_x[j] < 0) continue;
     const std::size_t point = source[static_cast<std::size_t>(fit.y_of_x[j])];
-    taken[point] = 1;
+    take(point);
     answer.point_of_marker[j] = static_cast<std::int16_t>(point);
     matched_T.push_back(targets[i].markers_T[j]);
     matched_C.push_back(points[point].p_C);

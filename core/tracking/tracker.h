@@ -25,11 +25,11 @@ struct TrackerSettings {
 /// Follows several taught targets from frame to frame. Each starts from its last pose, carried on at its
 /// velocity, while that is fresh, and looks only at points near its predicted markers; a target without one
 /// is sought in any orientation. A fit is accepted with min_marker_share of the markers, at least 3 (a first
-/// one: at least 4, or all that the target has), and max_rms_m. Pairs are one-to-one; points of one target
-/// are not given to the next: fresh targets choose first, then the others in their order. Points that are not
-/// finite are ignored. At most kMaxPoints points are considered for one target, in their given order (those
-/// near the prediction, or the free ones when it is sought), and no point past the first 32768: time is
-/// bounded whatever a cloud holds.
+/// one: at least 4, or all that the target has), and max_rms_m. Pairs are one-to-one, also in the discs that
+/// the points were measured from; points of one target, and their rivals, are not given to the next: fresh
+/// targets choose first, then the others in their order. Points that are not finite are ignored. At most
+/// kMaxPoints points are considered for one target, in their given order (those near the prediction, or the
+/// free ones when it is sought), and no point past the first 32768: time is bounded whatever a cloud holds.
 /// Following takes nothing from the heap once its buffers have grown. One thread (the tracking thread).
 class Tracker {
  public:

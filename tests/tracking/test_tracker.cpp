@@ -213,6 +213,55 @@ TEST(Tracker, AsksForANewModelWhenTheOldNoLongerFits) {
       TrackStatus::kTracked);
 }
 
+TEST(Tracker, OfPointsThatShareADiscOneAtMostIsMatched) {
+  const Target target = forearm();
+  Noise noise(25);
+  Tracker tracker = trackerOf({target});
+  for (int frame = 0; frame < 20; ++frame) {
+    // Marker 3 is hidden; what the left disc of marker 0 gives with another right one lies where it should
+    // be.
+    auto points = asStereo(look(target.markers_T, armAt(0.0), 10, 0, noise).points_C);
+    std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+      const auto along = [](const auto& point) { return (armAt(0.0).inverse() * point.p_C).x(); };
+      return along(a) < along(b);
+    });
+    for (int i = 0; i < 10; ++i) points[static_cast<std::size_t>(i)].left = i;
+    for (int i = 0; i < 10; ++i) points[static_cast<std::size_t>(i)].right = i;
+    points[3].left = 0;
+    points[3].p_C += Vector3d(0.0, 0.0, 0.0008);
+    points[0].rivals = points[3].rivals = 1;
+    const auto answer = tracker.track(points, TimePoint(1s + frame * kFrame))[0];
+    ASSERT_EQ(answer.status, TrackStatus::kTracked);
+    EXPECT_EQ(answer.matched_count, 9);
+    EXPECT_EQ(answer.point_of_marker[0], 0);
+    EXPECT_EQ(answer.point_of_marker[3], -1);
+  }
+}
+
+TEST(Tracker, GhostsOfRivalPairsDoNotMisleadIt) {
+  const Target target = forearm();
+  Noise noise(26);
+  Tracker tracker = trackerOf({target});
+  for (int frame = 0; frame < 100; ++frame) {
+    const double t = frame / 24.0;
+    const Scene scene = look(target.markers_T, armAt(t), 7, 0, noise);
+    auto points = asStereo(scene.points_C);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].left = points[i].right = static_cast<int>(i);
+    for (std::size_t i = 0; i + 1 < 7; ++i) {  // each disc also pairs with the next one's, off in depth
+      vision::StereoPoint ghost = points[i];
+      ghost.right = points[i + 1].right;
+      ghost.p_C *= noise.uniform(0.8, 1.2);
+      ghost.preferred = false;
+      points.push_back(ghost);
+    }
+    for (auto& point : points) point.rivals = 1;
+    const auto answer = tracker.track(points, TimePoint(toClock(Seconds(t))))[0];
+    ASSERT_EQ(answer.status, TrackStatus::kTracked) << frame;
+    EXPECT_GE(answer.matched_count, 6);
+    EXPECT_LT((answer.X_CT.translation() - armAt(t).translation()).norm(), 0.001);
+  }
+}
+
 TEST(Tracker, TakesNothingFromTheHeapOnceItFollows) {
   if (!mirrorarm::testing::heapIsCounted) GTEST_SKIP() << "a sanitizer brings its own heap";
   const Target target = forearm();
