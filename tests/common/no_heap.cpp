@@ -5,7 +5,7 @@
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 namespace {
 
-void count() {
+void countCall() {
   ++mirrorarm::testing::heap_calls;
   mirrorarm::testing::heap_calls_of_all_threads.fetch_add(1, std::memory_order_relaxed);
 }
@@ -19,27 +19,27 @@ void* __libc_realloc(void* old, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 void* malloc(std::size_t size) noexcept {
-  count();
+  countCall();
   return __libc_malloc(size);
 }
 
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  count();
+  countCall();
   return __libc_calloc(count, size);
 }
 
 void* realloc(void* old, std::size_t size) noexcept {
-  count();
+  countCall();
   return __libc_realloc(old, size);
 }
 
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  count();
+  countCall();
   return __libc_memalign(alignment, size);
 }
 
 int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
-  count();
+  countCall();
   *place = __libc_memalign(alignment, size);
   return *place == nullptr ? ENOMEM : 0;
 }
