@@ -14,7 +14,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kRounds = 4;
+constexpr int kRounds = 5;
+constexpr double kSettled = 1e-3;        // a step, in radii, after which the next one is lost in noise
 constexpr double kFloor_px = 0.02;       // of a semi axis: what blur, pixels and perspective leave out
 constexpr double kFloorOfAxis = 0.003;   // likewise, in parts of the longer one
 constexpr double kCutFloorOfAxis = 0.1;  // a cut outline was helped out by the fit
@@ -107,27 +108,33 @@ struct Solution {
   double misfit = 0.0;
 };
 
-/// Gauss and Newton with a weak pull towards a disc that faces the cameras.
-Solution descend(const Outlines& outlines, const Vector3d& start, const Vector3d& facing) {
-  Solution solution{start, Matrix3d::Zero(), 0.0};
+/// One step of Gauss and Newton with a weak pull towards a disc that faces the cameras.
+Vector3d step(const Outlines& outlines, const Matrix3d& prior, Solution& solution) {
+  Matrix3d matrix = prior;
+  Vector3d vector = prior * solution.m;
+  for (const auto& outline : outlines) {
+    const Residual r = residual(outline, solution.m);
+    const Matrix3d pull = r.by_m.transpose() * outline.weight;
+    matrix += pull * r.by_m;
+    vector += pull * r.value;
+  }
+  solution.covariance = matrix.inverse();
+  return -(solution.covariance * vector);
+}
+
+Solution descend(const Outlines& outlines, const Solution& start, const Vector3d& facing) {
+  const double r2 = start.m.squaredNorm();
   const Matrix3d across = Matrix3d::Identity() - facing * facing.transpose();
-  const Matrix3d prior = across / (start.squaredNorm() * kPriorTilt_rad * kPriorTilt_rad);
+  const Matrix3d prior = across / (r2 * kPriorTilt_rad * kPriorTilt_rad);
+  Solution solution = start;
   for (int round = 0; round < kRounds; ++round) {
-    Matrix3d matrix = prior;
-    Vector3d vector = prior * solution.m;
-    for (const auto& outline : outlines) {
-      const Residual r = residual(outline, solution.m);
-      const Matrix3d pull = r.by_m.transpose() * outline.weight;
-      matrix += pull * r.by_m;
-      vector += pull * r.value;
-    }
-    solution.covariance = matrix.inverse();
-    solution.m -= solution.covariance * vector;
+    const Vector3d by = step(outlines, prior, solution);
+    solution.m += by;
+    if (by.squaredNorm() < kSettled * kSettled * r2) break;
   }
   solution.misfit = misfitOf(outlines, solution.m);
-  if (!(solution.misfit <= misfitOf(outlines, start))) solution.m = start;
-  solution.misfit = misfitOf(outlines, solution.m);
-  return solution;
+  if (solution.misfit <= start.misfit) return solution;
+  return {start.m, solution.covariance, start.misfit};
 }
 
 /// The likelier of two, as uncertain as both together: where noise alone decides, the covariance says so.
@@ -142,17 +149,17 @@ Solution mixed(const Solution& one, const Solution& other) {
   return best;
 }
 
-Solution solve(const Outlines& outlines, std::array<Vector3d, 4> starts) {
-  std::array<double, 4> misfits;
-  for (std::size_t i = 0; i < starts.size(); ++i) misfits[i] = misfitOf(outlines, starts[i]);
-  const Vector3d facing = (starts[0] + starts[1] + starts[2] + starts[3]).normalized();
-  const auto best =
-      static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
-  const Solution solution = descend(outlines, starts[best], facing);
-  const std::size_t mirrored = best ^ 1U;
-  if (!(misfits[mirrored] < misfits[best] + kWorthATry)) return solution;
-  const Solution other = descend(outlines, starts[mirrored], facing);
-  return mixed(solution, other);
+Solution solve(const Outlines& outlines, const std::array<Vector3d, 4>& candidates) {
+  std::array<Solution, 4> starts;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    starts[i] = {candidates[i], Matrix3d::Zero(), misfitOf(outlines, candidates[i])};
+  const auto least = std::min_element(
+      starts.begin(), starts.end(), [](const Solution& a, const Solution& b) { return a.misfit < b.misfit; });
+  const Vector3d facing = (candidates[0] + candidates[1] + candidates[2] + candidates[3]).normalized();
+  const Solution solution = descend(outlines, *least, facing);
+  const auto mirrored = static_cast<std::size_t>(least - starts.begin()) ^ 1U;
+  if (!(starts[mirrored].misfit < least->misfit + kWorthATry)) return solution;
+  return mixed(solution, descend(outlines, starts[mirrored], facing));
 }
 
 }  // namespace

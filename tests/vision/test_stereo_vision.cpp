@@ -1,3 +1,4 @@
+#include <limits>
 #include <random>
 
 #include <Eigen/Dense>
@@ -6,6 +7,7 @@
 #include "core/vision/stereo_vision.h"
 #include "rendering.h"
 #include "stereo_bench.h"
+#include "tests/common/no_heap.h"
 
 namespace mirrorarm::vision {
 namespace {
@@ -20,7 +22,7 @@ void drawDisc(Rendering& scene, const camera::CameraModel& camera, const RigidTr
   scene.disc(*pixel, axes, 170);
 }
 
-class StereoVisionTest : public testing::Test {
+class StereoVisionTest : public ::testing::Test {
  protected:
   camera::StereoFrame shoot(std::uint64_t sequence) {
     Rendering left(1296, 964, 12), right(1296, 964, 12);
@@ -81,6 +83,68 @@ TEST_F(StereoVisionTest, ImagesOfAnotherSizeGiveNoMarkers) {
   EXPECT_EQ(observation.sequence, 9U);
   EXPECT_TRUE(observation.left.markers.empty());
   EXPECT_TRUE(observation.points.empty());
+}
+
+TEST_F(StereoVisionTest, MarkersCarryTheCentresOfTheirPreferredPair) {
+  const auto observation = vision_.observe(shoot(0));
+  ASSERT_EQ(observation.points.size(), points_C_.size());
+  for (const auto& point : observation.points) {
+    ASSERT_TRUE(point.preferred);
+    const auto& left = observation.left.markers[static_cast<std::size_t>(point.left)];
+    const auto& right = observation.right.markers[static_cast<std::size_t>(point.right)];
+    EXPECT_EQ(left.centre_px, point.left_px);
+    EXPECT_EQ(right.centre_px, point.right_px);
+    EXPECT_NE(left.centre_px, left.ellipse.centre_px) << "corrected";
+    EXPECT_LT((left.centre_px - left.ellipse.centre_px).norm(), 0.1);
+  }
+}
+
+TEST_F(StereoVisionTest, ThePapersMethodUndistortsItselfAndIsNotCorrected) {
+  FinderSettings settings;
+  settings.method = CentreMethod::kLindebergFitzgibbon;
+  StereoVision vision(rig_, settings, MatcherSettings{});
+  for (const auto& marker : vision.observe(shoot(0)).left.markers)
+    EXPECT_EQ(marker.centre_px, marker.ellipse.centre_px);
+}
+
+TEST_F(StereoVisionTest, TakesNothingFromTheHeapOnceWarm) {
+  if (!mirrorarm::testing::heapIsCounted) GTEST_SKIP() << "a sanitizer brings its own heap";
+  const auto frame = shoot(0);
+  for (int i = 0; i < 3; ++i) static_cast<void>(vision_.observe(frame));
+  EXPECT_EQ(mirrorarm::testing::heapCallsOfAllThreadsIn([&] { static_cast<void>(vision_.observe(frame)); }),
+            0U);
+}
+
+TEST_F(StereoVisionTest, ManyFramesGiveWhatOneGives) {
+  const auto frame = shoot(0);
+  const auto first = vision_.observe(frame).points;
+  for (int i = 0; i < 200; ++i) {
+    const auto& points = vision_.observe(frame).points;
+    ASSERT_EQ(points.size(), first.size());
+    for (std::size_t k = 0; k < first.size(); ++k) ASSERT_EQ(points[k].p_C, first[k].p_C);
+  }
+}
+
+TEST_F(StereoVisionTest, RigsThatAreNoneGiveNoMarkers) {
+  const auto frame = shoot(3);
+  auto scaled = rig_, still = rig_, nowhere = rig_, blind = rig_, bent = rig_;
+  scaled.X_RC.linear() *= 1.1;
+  still.X_RC.translation().setZero();
+  nowhere.X_RC.translation().x() = std::nan("");
+  auto lens = rig_.right.intrinsics();
+  lens.fx_px = std::numeric_limits<double>::infinity();
+  blind.right = camera::CameraModel(lens);
+  lens = rig_.right.intrinsics();
+  lens.distortion[1] = std::nan("");
+  bent.right = camera::CameraModel(lens);
+  for (const auto& rig : {scaled, still, nowhere, blind, bent}) {
+    StereoVision vision(rig, FinderSettings{}, MatcherSettings{});
+    vision.expect(points_C_, 0.006);
+    const auto& observation = vision.observe(frame);
+    EXPECT_EQ(observation.sequence, 3U);
+    EXPECT_TRUE(observation.left.markers.empty());
+    EXPECT_TRUE(observation.points.empty());
+  }
 }
 
 TEST_F(StereoVisionTest, StartsAndStopsWithoutAFrame) {
