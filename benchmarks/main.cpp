@@ -10,7 +10,9 @@ using namespace mirrorarm::benchmarks;
 
 void addSuite(CLI::App& app, const Suite& suite, RunOptions& options) {
   CLI::App* command = app.add_subcommand(std::string(suite.name), std::string(suite.what));
-  command->add_option("--out", options.out, "Folder for the reports and pictures")->capture_default_str();
+  command->add_option("--out", options.out, "Folder for the reports and pictures")
+      ->capture_default_str()
+      ->take_last();
   command->add_flag("--quick", options.quick, "Few trials: shows that it runs, not how well");
   std::string names;
   for (const Scenario& scenario : suite.scenarios) names += " " + std::string(scenario.name);

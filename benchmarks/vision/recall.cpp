@@ -2,6 +2,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 
 #include "benchmarks/parallel.h"
 #include "benchmarks/statistics.h"
@@ -18,155 +19,153 @@ namespace product = mirrorarm::vision;
 constexpr double kSame_px = 1.0;
 constexpr std::size_t kMostPictures = 20;
 
-/// What one frame went wrong in, a line each.
-using Faults = std::vector<std::string>;
+std::string describe(const PlacedLight& light) {
+  return std::string(id(light.shape)) + " at " + shortNumber(light.centre_px.x()) + " " +
+         shortNumber(light.centre_px.y()) + ", " + shortNumber(light.size_px) + " px, ratio " +
+         shortNumber(light.slimness) + ", contrast " + shortNumber(light.contrast);
+}
 
-/// Counts over all frames; guarded by its own lock.
-class Tally {
- public:
-  explicit Tally(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::filesystem::remove_all(folder_);
-  }
+std::string describe(const product::DetectedMarker& marker) {
+  return "marker at " + shortNumber(marker.centre_px.x()) + " " + shortNumber(marker.centre_px.y()) +
+         (marker.cut ? ", flagged as cut" : "");
+}
 
-  void take(std::uint64_t index, const SpuriousFrame& frame, const product::Detection& found) {
-    Faults faults;
-    int discs = 0, lost = 0;
-    std::vector<Shape> made_up;
-    for (const PlacedLight& light : frame.lights)
-      if (light.shape == Shape::kDisc) {
-        ++discs;
-        lost += isFound(light, found) ? 0 : (faults.push_back(lostLine(light, found)), 1);
-      }
-    for (std::size_t i = 0; i < found.markers.size(); ++i)
-      if (!isTrue(i, frame, found)) {
-        made_up.push_back(nearestLight(found.markers[i], frame).shape);
-        faults.push_back(falseLine(found.markers[i], frame));
-      }
-    const std::scoped_lock lock(guard_);
-    discs_ += discs;
-    lost_ += lost;
-    for (const Shape shape : made_up) ++false_[shape];
-    if (!faults.empty() && pictures_.size() < kMostPictures) pictures_[index] = {frame.image, faults};
-  }
+const product::DetectedMarker* nearestMarker(const Eigen::Vector2d& at, const product::Detection& found) {
+  const auto distance = [&](const product::DetectedMarker& marker) { return (marker.centre_px - at).norm(); };
+  const auto marker = std::ranges::min_element(found.markers, {}, distance);
+  return marker == found.markers.end() ? nullptr : &*marker;
+}
 
-  [[nodiscard]] int discs() const { return discs_; }
-  [[nodiscard]] int lost() const { return lost_; }
-  /// How many false discs each shape made.
-  [[nodiscard]] const std::map<Shape, int>& falseDiscs() const { return false_; }
+const PlacedLight& nearestLight(const Eigen::Vector2d& at, const SpuriousFrame& frame) {
+  const auto distance = [&](const PlacedLight& light) { return (light.centre_px - at).norm(); };
+  return *std::ranges::min_element(frame.lights, {}, distance);
+}
 
-  /// Failing frames with a line of why, for those who mend it.
-  void savePictures() const {
-    if (pictures_.empty()) return;
-    std::filesystem::create_directories(folder_);
-    std::ofstream why(folder_ / "failures.txt");
-    for (const auto& [index, picture] : pictures_) {
-      const std::string name = "frame_" + std::to_string(index) + ".png";
-      if (const auto written = camera::writeImage(folder_ / name, picture.image); !written)
-        throw std::runtime_error(written.error());
-      for (const auto& fault : picture.faults) why << name << ": " << fault << "\n";
-    }
-  }
-
- private:
-  struct Picture {
-    camera::GreyImage image;
-    Faults faults;
-  };
-
-  static const product::DetectedMarker* nearest(const Eigen::Vector2d& at, const product::Detection& found) {
-    const auto distance = [&](const product::DetectedMarker& marker) {
-      return (marker.centre_px - at).norm();
-    };
-    const auto marker = std::ranges::min_element(found.markers, {}, distance);
-    return marker == found.markers.end() ? nullptr : &*marker;
-  }
-  static bool isFound(const PlacedLight& disc, const product::Detection& found) {
-    const auto* marker = nearest(disc.centre_px, found);
-    return marker != nullptr && (marker->centre_px - disc.centre_px).norm() <= kSame_px;
-  }
-  /// A marker on a disc, and the nearest one to it: a second one on the same disc is false.
-  static bool isTrue(std::size_t index, const SpuriousFrame& frame, const product::Detection& found) {
-    const auto& marker = found.markers[index];
-    return std::ranges::any_of(frame.lights, [&](const PlacedLight& light) {
-      return light.shape == Shape::kDisc && (marker.centre_px - light.centre_px).norm() <= kSame_px &&
-             nearest(light.centre_px, found) == &marker;
-    });
-  }
-  static std::string describe(const PlacedLight& light) {
-    return std::string(id(light.shape)) + " at " + shortNumber(light.centre_px.x()) + " " +
-           shortNumber(light.centre_px.y()) + ", " + shortNumber(light.size_px) + " px, ratio " +
-           shortNumber(light.slimness) + ", contrast " + shortNumber(light.contrast);
-  }
-  static std::string lostLine(const PlacedLight& disc, const product::Detection& found) {
-    for (const auto& light : found.rejected_lights)
-      if ((light.position_px - disc.centre_px).norm() < disc.radius_px)
-        return "lost " + describe(disc) + ": " + std::string(product::id(light.reason));
-    return "lost " + describe(disc);
-  }
-  static const PlacedLight& nearestLight(const product::DetectedMarker& marker, const SpuriousFrame& frame) {
-    const auto distance = [&](const PlacedLight& light) {
-      return (light.centre_px - marker.centre_px).norm();
-    };
-    return *std::ranges::min_element(frame.lights, {}, distance);
-  }
-  static std::string falseLine(const product::DetectedMarker& marker, const SpuriousFrame& frame) {
-    return "false marker at " + shortNumber(marker.centre_px.x()) + " " + shortNumber(marker.centre_px.y()) +
-           (marker.cut ? ", flagged as cut, on " : " on ") + describe(nearestLight(marker, frame)) +
-           ", noise " + shortNumber(frame.noise);
-  }
-
-  std::filesystem::path folder_;
-  std::mutex guard_;
-  int discs_ = 0, lost_ = 0;
-  std::map<Shape, int> false_;
-  std::map<std::uint64_t, Picture> pictures_;
+/// What the finder made of one frame.
+struct Outcome {
+  int discs = 0;
+  int lost = 0;
+  std::vector<Shape> made_up;       ///< on what its false discs lie
+  std::vector<std::string> faults;  ///< a line each
 };
 
-Row recallRow(const Tally& tally) {
+void lookForDisc(const PlacedLight& disc, const product::Detection& found, Outcome& outcome) {
+  ++outcome.discs;
+  const auto* marker = nearestMarker(disc.centre_px, found);
+  if (marker != nullptr && (marker->centre_px - disc.centre_px).norm() <= kSame_px) return;
+  ++outcome.lost;
+  std::string fault = "lost " + describe(disc);
+  for (const auto& light : found.rejected_lights)
+    if ((light.position_px - disc.centre_px).norm() < disc.radius_px)
+      fault += ", " + std::string(product::id(light.reason));
+  outcome.faults.push_back(fault);
+}
+
+/// A marker is true on a disc, unless another marker lies nearer to that disc.
+void lookAtMarker(const product::DetectedMarker& marker, const SpuriousFrame& frame,
+                  const product::Detection& found, Outcome& outcome) {
+  const PlacedLight& light = nearestLight(marker.centre_px, frame);
+  const bool on_disc = light.shape == Shape::kDisc && (light.centre_px - marker.centre_px).norm() <= kSame_px;
+  if (on_disc && nearestMarker(light.centre_px, found) == &marker) return;
+  outcome.made_up.push_back(light.shape);
+  outcome.faults.push_back("false " + describe(marker) + ", on " + describe(light) + ", noise " +
+                           shortNumber(frame.noise));
+}
+
+Outcome outcomeOf(const SpuriousFrame& frame, const product::Detection& found) {
+  Outcome outcome;
+  for (const PlacedLight& light : frame.lights)
+    if (light.shape == Shape::kDisc) lookForDisc(light, found, outcome);
+  for (const auto& marker : found.markers) lookAtMarker(marker, frame, found, outcome);
+  return outcome;
+}
+
+/// Sums over all frames, and the first failing ones. Any thread may add.
+class Tally {
+ public:
+  void add(int index, const SpuriousFrame& frame, const Outcome& outcome) {
+    const std::scoped_lock lock(guard_);
+    ++frames_;
+    discs_ += outcome.discs;
+    lost_ += outcome.lost;
+    for (const Shape shape : outcome.made_up) ++false_[shape];
+    if (outcome.faults.empty()) return;
+    failures_[index] = {frame.image, outcome.faults};
+    if (failures_.size() > kMostPictures) failures_.erase(std::prev(failures_.end()));
+  }
+
+  [[nodiscard]] Row recallRow() const;
+  [[nodiscard]] Row falseRow() const;
+  /// Failing frames and a line of why for each fault, for those who mend it.
+  void saveFailures(const std::filesystem::path& folder) const;
+
+ private:
+  struct Failure {
+    camera::GreyImage image;
+    std::vector<std::string> faults;
+  };
+
+  std::mutex guard_;
+  int frames_ = 0, discs_ = 0, lost_ = 0;
+  std::map<Shape, int> false_;
+  std::map<int, Failure> failures_;
+};
+
+Row Tally::recallRow() const {
   constexpr double kLeast = 0.999;
-  const double recall = 1.0 - static_cast<double>(tally.lost()) / tally.discs();
+  const double recall = 1.0 - static_cast<double>(lost_) / discs_;
   Row row;
   row.name = "recall";
   row.goal = ">= 99.9 %";
   row.measured = {{"found", 100.0 * recall, "%"}};
-  row.references = {{"discs", 1.0 * tally.discs(), ""}, {"lost", 1.0 * tally.lost(), ""}};
+  row.references = {{"discs", 1.0 * discs_, ""}, {"lost", 1.0 * lost_, ""}};
   row.pass = recall >= kLeast;
   return row;
 }
 
-Row falseRow(const Tally& tally, int frames) {
+Row Tally::falseRow() const {
   constexpr double kMost = 1e-4;
   int count = 0;
+  for (const auto& [shape, times] : false_) count += times;
+  const double rate = static_cast<double>(count) / frames_;
   Row row;
-  for (const auto& [shape, times] : tally.falseDiscs()) {
-    row.references.push_back({"on " + std::string(id(shape)), 1.0 * times, ""});
-    count += times;
-  }
-  const double rate = static_cast<double>(count) / frames;
   row.name = "false discs a frame, 20 spurious reflections";
   row.goal = "<= 0.0001";
-  row.measured = {{"mean", rate, ""}, {"upper 95 % limit", poissonUpperLimit(count) / frames, ""}};
-  row.references.insert(row.references.begin(),
-                        {{"frames", 1.0 * frames, ""}, {"false discs", 1.0 * count, ""}});
+  row.measured = {{"mean", rate, ""}, {"upper 95 % limit", poissonUpperLimit(count) / frames_, ""}};
+  row.references = {{"frames", 1.0 * frames_, ""}, {"false discs", 1.0 * count, ""}};
+  for (const auto& [shape, times] : false_)
+    row.references.push_back({"on " + std::string(id(shape)), 1.0 * times, ""});
   row.pass = rate <= kMost;
   return row;
+}
+
+void Tally::saveFailures(const std::filesystem::path& folder) const {
+  std::filesystem::remove_all(folder);
+  if (failures_.empty()) return;
+  std::filesystem::create_directories(folder);
+  std::ofstream why(folder / "failures.txt");
+  for (const auto& [index, failure] : failures_) {
+    const std::string name = "frame_" + std::to_string(index) + ".png";
+    if (const auto written = camera::writeImage(folder / name, failure.image); !written)
+      throw std::runtime_error(written.error());
+    for (const auto& fault : failure.faults) why << name << ": " << fault << "\n";
+  }
 }
 
 }  // namespace
 
 void measureRecall(Run& run) {
-  const int frames = run.trials(30000, 300);
   const SpuriousScene scene(run.options.quick);
-  Tally tally(run.options.out / "failures");
-  forEachTrial(frames, [&] {
+  Tally tally;
+  forEachTrial(run.trials(30000, 300), [&] {
     return [&, finder = product::MarkerFinder(product::FinderSettings{})](int index) mutable {
       const auto frame = scene.frame(static_cast<std::uint64_t>(index));
-      tally.take(static_cast<std::uint64_t>(index), frame, finder.find(frame.image.view()));
+      tally.add(index, frame, outcomeOf(frame, finder.find(frame.image.view())));
     };
   });
-  tally.savePictures();
-  run.report.rows.push_back(recallRow(tally));
-  run.report.rows.push_back(falseRow(tally, frames));
+  tally.saveFailures(run.options.out / "failures");
+  run.report.rows.push_back(tally.recallRow());
+  run.report.rows.push_back(tally.falseRow());
 }
 
 }  // namespace mirrorarm::benchmarks::vision
