@@ -1,3 +1,4 @@
+#include <map>
 #include <numbers>
 
 #include "benchmarks/vision/disc_trials.h"
@@ -16,6 +17,7 @@ struct Fate {
   int not_found = 0, refused_as_cut = 0, flagged = 0;
   int good = 0, fair = 0, silent = 0;  ///< not flagged: within 0.15 px, within 0.3 px, beyond
   double flagged_square_px2 = 0.0;
+  std::map<product::Rejection, int> refused_otherwise;  ///< among those not found
 
   void add(const DiscTrial& trial);
   [[nodiscard]] double share(int count) const { return static_cast<double>(count) / trials; }
@@ -25,7 +27,9 @@ void Fate::add(const DiscTrial& trial) {
   ++trials;
   const Answer& answer = trial.answers.front();
   if (!answer) {
-    ++(answer.error() == Miss::kRefusedAsCut ? refused_as_cut : not_found);
+    const auto& reason = answer.error().reason;
+    ++(reason == product::Rejection::kCut ? refused_as_cut : not_found);
+    if (reason && reason != product::Rejection::kCut) ++refused_otherwise[*reason];
     return;
   }
   const double off_px = (answer->centre_px - trial.truth.centre_px).norm();
