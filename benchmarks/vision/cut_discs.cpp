@@ -65,6 +65,9 @@ Row cutRow(const std::string& name, const std::vector<DiscTrial>& trials) {
       {"silently beyond", 100.0 * fate.share(fate.silent), "%"},
       {"not found", 100.0 * fate.share(fate.not_found), "%"},
       {"rms per axis of the flagged", std::sqrt(0.5 * fate.flagged_square_px2 / fate.flagged), "px"}};
+  for (const auto& [reason, count] : fate.refused_otherwise)
+    row.references.push_back(
+        {"refused as " + std::string(product::id(reason)), 100.0 * fate.share(count), "%"});
   for (const MethodError& error : errorsOf(trials))
     row.references.push_back({error.name, error.rms_px, "px"});
   row.pass = fate.silent == 0 && fate.share(fate.flagged + fate.refused_as_cut + fate.good) >= kGoal;
