@@ -5,25 +5,21 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/LU>
+
+#include "core/vision/block_map.h"
 #include "core/vision/component_scanner.h"
-#include "core/vision/disc_fit.h"
-#include "core/vision/edge_detector.h"
-#include "core/vision/outline.h"
-#include "core/vision/threshold_map.h"
+#include "core/vision/disc_estimator.h"
 
 namespace mirrorarm::vision {
 namespace {
 
-constexpr std::size_t kLevels = 3;  // a candidate that is no disc is cut at half its height twice more
+constexpr std::size_t kLevels = 3;  // a light that is no disc is cut at half its height twice more
 constexpr double kSkirt_px = 8.0;   // blur around a disc that is above the threshold, both sides together
-constexpr int kRoiMargin_px = 5;
-constexpr double kCoarser = 2.0;
-constexpr double kSigmasAcross = 7.0;   // of a large disc
-constexpr double kSigmasAtLeast = 4.0;  // of any disc that is looked at on that scale
-constexpr float kStrongShare = 0.10F;   // of the contrast, per sigma; a disc's edge has 0.2 to 0.3
-constexpr float kWeakShare = 0.04F;
-constexpr float kStrongNoises = 5.0F;
-constexpr float kWeakNoises = 2.5F;
+constexpr double kElongationSlack = 1.3;  // the pixels of a light against its outline
+constexpr double kSaturatedShare = 0.3;   // of a marker's pixels, at the sensor's upper end
+constexpr double kDark = 30.0;            // grey: brightest light above the ground, in an image too dark
+constexpr double kLitGround = 128.0;
 
 /// Regions cut to the image, those that touch united, so that no disc is found twice.
 void unite(std::span<const Region> wanted, const Region& frame, std::vector<Region>& regions) {
@@ -42,115 +38,136 @@ void unite(std::span<const Region> wanted, const Region& frame, std::vector<Regi
   }
 }
 
+double sizeOf(const DetectedMarker& marker) {
+  return std::sqrt(marker.ellipse.semi_major_px * marker.ellipse.semi_minor_px);
+}
+
 }  // namespace
 
 struct MarkerFinder::Body {
   Body(const FinderSettings& wanted, std::optional<camera::CameraModel> model)
       : settings(wanted),
         camera(std::move(model)),
-        fine(wanted.edge_sigma_px),
-        coarse(kCoarser * wanted.edge_sigma_px),
-        disc(wanted) {}
+        estimator(makeDiscEstimator(settings, camera ? &*camera : nullptr)) {}
 
   void search(const Region& region);
   void examine(const Component& component, std::size_t level);
-  [[nodiscard]] Expected<DetectedMarker, Rejection> measure(const Component& component);
-  [[nodiscard]] Expected<DetectedMarker, Rejection> measureAt(const Component& component,
-                                                              EdgeDetector& edges);
+  [[nodiscard]] Expected<DetectedMarker, Rejection> measure(const Light& light);
+  [[nodiscard]] Light lightOf(const Component& component) const;
   [[nodiscard]] std::optional<Rejection> refuse(const Component& component) const;
-  [[nodiscard]] EdgeThresholds edgeThresholds(const Component& component, double sigma_px) const;
-  bool splits(const Component& component, std::size_t level);
-  void reject(const Component& component, Rejection reason);
+  bool splits(const Light& light, std::size_t level);
+  void accept(const Component& component, const DetectedMarker& marker);
+  void reject(const Eigen::Vector2d& position_px, double extent_px, Rejection reason);
   void dropDoubles();
+  void dropOddSizes();
+  void judgeExposure();
 
   FinderSettings settings;
   std::optional<camera::CameraModel> camera;
+  std::unique_ptr<DiscEstimator> estimator;
   Brightness image;
-  ThresholdMap map;
+  BlockMap map;
   std::array<ComponentScanner, kLevels> scanners;
-  EdgeDetector fine;
-  EdgeDetector coarse;  ///< for large discs: their outline averages over more pixels at no loss
-  DiscFit disc;
-  std::vector<EdgePoint> outline;
   std::vector<Region> regions;
+  std::vector<double> sizes;
   Detection found;
 };
 
 void MarkerFinder::Body::search(const Region& region) {
-  map.estimate(image, region);
-  for (const auto& component : scanners[0].scan(image, region, map)) examine(component, 0);
+  map.read(image, region);
+  found.exposure.background = std::max<double>(found.exposure.background, map.ground());
+  found.exposure.noise = std::max<double>(found.exposure.noise, map.noise());
+  for (const auto& component : scanners[0].scan(image, map)) examine(component, 0);
 }
 
 void MarkerFinder::Body::examine(const Component& component, std::size_t level) {
-  const auto marker = measure(component);
+  found.exposure.brightest = std::max<double>(found.exposure.brightest, component.peak);
+  const Light light = lightOf(component);
+  auto marker = measure(light);
+  if (!marker && splits(light, level)) return;
+  if (!marker && marker.error() == Rejection::kCut) marker = estimator->measureCut(image, light);
   if (marker)
-    found.markers.push_back(*marker);
-  else if (!splits(component, level))
-    reject(component, marker.error());
+    accept(component, *marker);
+  else
+    reject(light.middle_px(), std::max(component.box.width(), component.box.height()), marker.error());
 }
 
-void MarkerFinder::Body::reject(const Component& component, Rejection reason) {
+Expected<DetectedMarker, Rejection> MarkerFinder::Body::measure(const Light& light) {
+  if (const auto reason = refuse(light.component)) return unexpected(*reason);
+  return estimator->measure(image, light);
+}
+
+Light MarkerFinder::Body::lightOf(const Component& component) const {
+  return {component, map.ground(component.x(), component.y()), map.noise(component.x(), component.y())};
+}
+
+void MarkerFinder::Body::accept(const Component& component, const DetectedMarker& marker) {
+  found.markers.push_back(marker);
+  if (component.clipped_px > kSaturatedShare * component.area_px) ++found.exposure.saturated_markers;
+}
+
+void MarkerFinder::Body::reject(const Eigen::Vector2d& position_px, double extent_px, Rejection reason) {
   ++found.rejected[static_cast<std::size_t>(reason)];
-  if (found.rejected_lights.size() == kMostRejectedLights) return;
-  const double extent_px = std::max(component.box.width(), component.box.height());
-  found.rejected_lights.push_back({{component.x(), component.y()}, extent_px, reason});
+  if (found.rejected_lights.size() < kMostRejectedLights)
+    found.rejected_lights.push_back({position_px, extent_px, reason});
 }
 
+/// What the pixels alone tell, before anything is fitted.
 std::optional<Rejection> MarkerFinder::Body::refuse(const Component& component) const {
   const int longer = std::max(component.box.width(), component.box.height());
-  const int shorter = std::min(component.box.width(), component.box.height());
   const auto frame = grown(image.frame(), -1);
   if (longer < 0.6 * settings.min_diameter_px) return Rejection::kTooSmall;
   if (longer > settings.max_diameter_px + kSkirt_px)
     return 2 * component.clipped_px > component.area_px ? Rejection::kSaturated : Rejection::kTooLarge;
-  if (longer > settings.max_axis_ratio * (shorter + 2)) return Rejection::kTooElongated;
+  const Eigen::Matrix2d moments = component.moments_px2();
+  const double half = 0.5 * moments.trace();
+  const double root = std::sqrt(std::max(half * half - moments.determinant(), 0.0));
+  const double most = kElongationSlack * settings.max_axis_ratio;
+  if (half + root > most * most * (half - root)) return Rejection::kTooElongated;
   if (component.box.left < frame.left || component.box.top < frame.top || component.box.right > frame.right ||
       component.box.bottom > frame.bottom)
     return Rejection::kAtBorder;
   return std::nullopt;
 }
 
-EdgeThresholds MarkerFinder::Body::edgeThresholds(const Component& component, double sigma_px) const {
-  const auto sigma = static_cast<float>(sigma_px);
-  const float contrast = static_cast<float>(component.peak) - map.background(component.x(), component.y());
-  // Standard deviation of the gradient of white noise under a Gaussian: noise / (sqrt(8 pi) sigma^2).
-  const float noise = 0.2F * map.noise(component.x(), component.y()) / (sigma * sigma);
-  return {std::max(kStrongShare * contrast / sigma, kStrongNoises * noise),
-          std::max(kWeakShare * contrast / sigma, kWeakNoises * noise)};
-}
-
-Expected<DetectedMarker, Rejection> MarkerFinder::Body::measure(const Component& component) {
-  if (const auto reason = refuse(component)) return unexpected(*reason);
-  const int shorter = std::min(component.box.width(), component.box.height());
-  if (shorter >= kSigmasAcross * coarse.sigma_px()) return measureAt(component, coarse);
-  const auto marker = measureAt(component, fine);
-  if (marker || shorter < kSigmasAtLeast * coarse.sigma_px()) return marker;
-  return measureAt(component, coarse);
-}
-
-Expected<DetectedMarker, Rejection> MarkerFinder::Body::measureAt(const Component& component,
-                                                                  EdgeDetector& edges) {
-  const auto around = intersection(grown(component.box, kRoiMargin_px), image.frame());
-  const auto thresholds = edgeThresholds(component, edges.sigma_px());
-  const auto points = edges.detect(image, around, thresholds);
-  selectOutline(points, {component.x(), component.y()}, thresholds.strong, outline);
-  const double noise = map.noise(component.x(), component.y());
-  return disc.fit(outline, camera ? &*camera : nullptr, noise, edges.sigma_px());
-}
-
-/// A candidate that is no disc may be several, or one in a haze: looks at it again at half its height. False
-/// when that gives nothing new.
-bool MarkerFinder::Body::splits(const Component& component, std::size_t level) {
+/// A light that is no disc may be several, or one in a haze: looks at it again at half its height. False when
+/// that gives nothing new.
+bool MarkerFinder::Body::splits(const Light& light, std::size_t level) {
+  const Component& component = light.component;
   if (level + 1 == kLevels || component.area_px < 4) return false;
-  const float background = map.background(component.x(), component.y());
-  const float share = level == 0 ? 0.5F : 0.75F;
-  const float height = background + share * (static_cast<float>(component.peak) - background);
-  const auto parts = scanners[level + 1].scan(image, component.box,
-                                              static_cast<std::uint8_t>(std::clamp(height, 0.0F, 254.0F)));
+  const double share = level == 0 ? 0.5 : 0.75;
+  const double height = std::clamp(light.ground + share * light.height(), 0.0, 254.0);
+  const auto parts = scanners[level + 1].scan(image, component.box, static_cast<std::uint8_t>(height));
   const bool same = parts.empty() || (parts.size() == 1 && 4 * parts[0].area_px > 3 * component.area_px);
   if (same) return false;
   for (const auto& part : parts) examine(part, level + 1);
   return true;
+}
+
+void MarkerFinder::Body::dropOddSizes() {
+  if (!(settings.max_size_ratio > 0.0) || found.markers.empty()) return;
+  sizes.clear();
+  for (const auto& marker : found.markers) sizes.push_back(sizeOf(marker));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  std::erase_if(found.markers, [&](const DetectedMarker& marker) {
+    const double ratio = sizeOf(marker) / *middle;
+    const bool odd = std::max(ratio, 1.0 / ratio) > settings.max_size_ratio;
+    if (odd)
+      reject(marker.centre_px, 2.0 * marker.ellipse.semi_major_px,
+             ratio < 1.0 ? Rejection::kTooSmall : Rejection::kTooLarge);
+    return odd;
+  });
+}
+
+void MarkerFinder::Body::judgeExposure() {
+  auto& exposure = found.exposure;
+  if (2 * exposure.saturated_markers > static_cast<int>(found.markers.size()))
+    exposure.warning = ExposureWarning::kSaturated;
+  else if (exposure.background > kLitGround)
+    exposure.warning = ExposureWarning::kBrightBackground;
+  else if (found.markers.empty() && exposure.brightest < exposure.background + kDark)
+    exposure.warning = ExposureWarning::kTooDark;
 }
 
 void MarkerFinder::Body::dropDoubles() {
@@ -187,6 +204,8 @@ const Detection& MarkerFinder::find(const camera::ImageView& image, std::span<co
   unite(regions.empty() ? std::span<const Region>(&whole, 1) : regions, whole, body.regions);
   for (const auto& region : body.regions) body.search(region);
   body.dropDoubles();
+  body.dropOddSizes();
+  body.judgeExposure();
   return body.found;
 }
 

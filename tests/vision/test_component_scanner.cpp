@@ -60,35 +60,13 @@ TEST(ComponentScanner, AgreesWithFloodFillOnNoise) {
   EXPECT_EQ(static_cast<int>(scan(image).size()), components);
 }
 
-TEST(ThresholdMap, FollowsUnevenLightAndKeepsAboveNoise) {
-  std::mt19937 random(4);
-  std::normal_distribution<double> noise(0.0, 3.0);
-  const int width = 400, height = 300;
-  std::vector<std::uint8_t> pixels;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      pixels.push_back(static_cast<std::uint8_t>(std::clamp(40.0 + 0.3 * x + noise(random), 0.0, 255.0)));
-  const camera::GreyImage image(width, height, std::move(pixels));
-  const Brightness brightness{image.view(), 0};
-  ThresholdMap map;
-  map.estimate(brightness, brightness.frame());
-  EXPECT_NEAR(map.background(100, 150), 70.0, 6.0);
-  EXPECT_NEAR(map.background(300, 150), 130.0, 6.0);
-  EXPECT_NEAR(map.noise(200, 150), 3.5, 1.2);
-  ComponentScanner scanner;
-  EXPECT_LE(scanner.scan(brightness, brightness.frame(), map).size(), 3U);
-}
-
-TEST(ThresholdMap, ADiscThatFillsATileDoesNotLiftItsBackground) {
-  std::vector<std::uint8_t> pixels(320 * 320, 20);
-  for (int y = 0; y < 320; ++y)
-    for (int x = 0; x < 320; ++x)
-      if (std::hypot(x - 160, y - 160) < 30) pixels[static_cast<std::size_t>(y * 320 + x)] = 220;
-  const camera::GreyImage image(320, 320, std::move(pixels));
-  const Brightness brightness{image.view(), 0};
-  ThresholdMap map;
-  map.estimate(brightness, brightness.frame());
-  EXPECT_LT(map.background(160, 160), 40.0);
+TEST(ComponentScanner, MomentsAreThoseOfThePixels) {
+  const auto found = scan(picture({"......", ".####.", ".####.", "......"}));
+  ASSERT_EQ(found.size(), 1U);
+  const Eigen::Matrix2d moments = found[0].moments_px2();
+  EXPECT_DOUBLE_EQ(moments(0, 0), 16.0 / 12.0);
+  EXPECT_DOUBLE_EQ(moments(1, 1), 4.0 / 12.0);
+  EXPECT_DOUBLE_EQ(moments(0, 1), 0.0);
 }
 
 }  // namespace

@@ -205,12 +205,27 @@ TEST(MarkerFinder, GivesTheSameAnswerEveryTime) {
     EXPECT_EQ(first.markers[i].centre_px, second.markers[i].centre_px);
 }
 
-TEST(MarkerFinder, HalfADiscIsNoMarker) {
+TEST(MarkerFinder, ACoveredDiscIsCutAndItsCentreThatOfTheWhole) {
+  std::mt19937 random(15);
+  MarkerFinder finder{FinderSettings{}};
+  for (const double cut_px : {8.0, 6.0, 4.0, 2.0}) {  // of a radius of 10
+    Rendering scene(100, 100, 10);
+    scene.cutDisc({50.2, 49.7}, 20.0, cut_px, 180);
+    const auto found = finder.find(scene.expose(1.8, random).view());
+    ASSERT_EQ(found.markers.size(), 1U) << cut_px;
+    EXPECT_TRUE(found.markers[0].cut) << cut_px;
+    const Eigen::Vector2d error = found.markers[0].centre_px - Eigen::Vector2d(50.2, 49.7);
+    EXPECT_LT(error.norm(), 0.15) << cut_px;
+    EXPECT_LT(error.dot(found.markers[0].covariance_px2.inverse() * error), 25.0) << cut_px;
+  }
+}
+
+TEST(MarkerFinder, LessThanHalfADiscIsNoMarker) {
   Rendering scene(100, 100, 10);
-  scene.cutDisc({50, 50}, 20.0, 0.0, 180);
+  scene.cutDisc({50, 50}, 20.0, -3.0, 180);
   std::mt19937 random(15);
   const auto found = MarkerFinder{FinderSettings{}}.find(scene.expose(1.0, random).view());
-  for (const auto& marker : found.markers) EXPECT_GT(marker.covariance_px2.trace(), 1e-3);
+  for (const auto& marker : found.markers) EXPECT_TRUE(marker.cut);
 }
 
 TEST(MarkerFinder, SurvivesAnyImage) {

@@ -144,7 +144,7 @@ TEST_P(EveryRig, UncorrectedDiscsAreOff) {
 
 INSTANTIATE_TEST_SUITE_P(StereoMatcher, EveryRig,
                          ::testing::Values(camera::LensModel::kBrownConrady,
-                                         camera::LensModel::kKannalaBrandt));
+                                           camera::LensModel::kKannalaBrandt));
 
 class Matcher : public ::testing::Test {
  protected:

@@ -1,11 +1,13 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "core/simulation/light_image.h"
 #include "core/vision/stereo_vision.h"
-#include "rendering.h"
 #include "stereo_bench.h"
 #include "tests/common/no_heap.h"
 
@@ -14,23 +16,32 @@ namespace {
 
 constexpr double kDiscRadius_m = 0.0035;
 
-void drawDisc(Rendering& scene, const camera::CameraModel& camera, const RigidTransform& X_KC,
-              const Eigen::Vector3d& p_C) {
-  camera::CameraModel::ProjectJacobian J;
-  const auto pixel = camera.project(X_KC * p_C, J);
-  const Eigen::Matrix2d axes = kDiscRadius_m * (J * X_KC.linear()).leftCols<2>();  // faces the left camera
-  scene.disc(*pixel, axes, 170);
+/// One camera's image of discs that face the left camera, exactly through its lens, in white noise.
+camera::GreyImage imageOf(const camera::CameraModel& camera, const RigidTransform& X_KC,
+                          std::span<const Eigen::Vector3d> points_C, std::mt19937& random) {
+  simulation::LightImage light(camera, 0.7);
+  for (const auto& p_C : points_C) {
+    simulation::Patch patch;
+    patch.centre = p_C;
+    patch.u = kDiscRadius_m * Eigen::Vector3d::UnitX();
+    patch.v = -kDiscRadius_m * Eigen::Vector3d::UnitY();
+    light.add(simulation::transformed(X_KC, patch), 170.0);
+  }
+  std::normal_distribution<float> noise(0.0F, 1.8F);
+  const auto& size = camera.intrinsics();
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < size.height_px; ++y)
+    for (int x = 0; x < size.width_px; ++x)
+      pixels.push_back(static_cast<std::uint8_t>(
+          std::clamp(std::round(12.0F + light.row(y)[x] + noise(random)), 0.0F, 255.0F)));
+  return {size.width_px, size.height_px, std::move(pixels)};
 }
 
 class StereoVisionTest : public ::testing::Test {
  protected:
   camera::StereoFrame shoot(std::uint64_t sequence) {
-    Rendering left(1296, 964, 12), right(1296, 964, 12);
-    for (const auto& p_C : points_C_) {
-      drawDisc(left, rig_.left, RigidTransform::Identity(), p_C);
-      drawDisc(right, rig_.right, rig_.X_RC, p_C);
-    }
-    return {left.expose(1.8, random_), right.expose(1.8, random_), fromNanoseconds(5), Seconds(0.0015),
+    return {imageOf(rig_.left, RigidTransform::Identity(), points_C_, random_),
+            imageOf(rig_.right, rig_.X_RC, points_C_, random_), fromNanoseconds(5), Seconds(0.0015),
             sequence};
   }
 

@@ -1,0 +1,101 @@
+#include "core/vision/conic_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/vision/small_cholesky.h"
+
+namespace mirrorarm::vision {
+namespace {
+
+constexpr int kMargin_px = 2;
+constexpr double kLeastGradient = 0.04;  // of the light a pixel
+constexpr double kGradientNoises = 2.0;
+constexpr double kSharedPixels = 3.0;   // gradients of neighbours share their noise
+constexpr double kMostResidual = 0.06;  // of the radius, that lines may miss the conic by
+
+/// Gradient by Sobel's operator [grey/px].
+Eigen::Vector2d gradientAt(const Brightness& image, int x, int y) {
+  const auto at = [&](int dx, int dy) { return static_cast<double>(image.at(x + dx, y + dy)); };
+  const double right = at(1, -1) + 2.0 * at(1, 0) + at(1, 1);
+  const double left = at(-1, -1) + 2.0 * at(-1, 0) + at(-1, 1);
+  const double below = at(-1, 1) + 2.0 * at(0, 1) + at(1, 1);
+  const double above = at(-1, -1) + 2.0 * at(0, -1) + at(1, -1);
+  return {(right - left) / 8.0, (below - above) / 8.0};
+}
+
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+
+/// Normal equations of l^T C l = 0 over all lines, C(2, 2) = 1.
+struct LineSums {
+  Matrix5 matrix = Matrix5::Zero();
+  Vector5 vector = Vector5::Zero();
+  double squares = 0.0;
+  double weight = 0.0;
+  int lines = 0;
+
+  void add(const Eigen::Vector2d& gradient, const Eigen::Vector2d& p) {
+    const double c = -gradient.dot(p);
+    Vector5 row;
+    row << gradient.x() * gradient.x(), gradient.x() * gradient.y(), gradient.y() * gradient.y(),
+        gradient.x() * c, gradient.y() * c;
+    matrix += row * row.transpose();
+    vector -= row * (c * c);
+    squares += c * c * c * c;
+    weight += gradient.squaredNorm() * gradient.squaredNorm();
+    ++lines;
+  }
+};
+
+LineSums linesAround(const Brightness& image, const Light& light, double scale_px) {
+  const Region window = intersection(grown(light.component.box, kMargin_px), grown(image.frame(), -1));
+  const double least =
+      std::max(kLeastGradient * light.height(), kGradientNoises * light.noise * std::sqrt(12.0) / 8.0);
+  LineSums sums;
+  for (int y = window.top; y <= window.bottom; ++y)
+    for (int x = window.left; x <= window.right; ++x) {
+      const Eigen::Vector2d gradient = gradientAt(image, x, y);
+      const Eigen::Vector2d p = (Eigen::Vector2d(x, y) - light.middle_px()) / scale_px;
+      if (gradient.norm() > least && gradient.dot(p) < 0.0) sums.add(gradient / light.height(), p);
+    }
+  return sums;
+}
+
+}  // namespace
+
+Expected<DetectedMarker, Rejection> ConicEstimator::measure(const Brightness& image, const Light& light) {
+  const double scale_px = std::sqrt(2.0 * light.component.moments_px2().trace());
+  const LineSums sums = linesAround(image, light, scale_px);
+  SmallCholesky<5> factor;
+  if (sums.lines < 12 || !factor.factorise(sums.matrix)) return unexpected(Rejection::kNotAnEllipse);
+  const Vector5 conic = factor.solve(sums.vector);
+  const Eigen::Vector2d centre = 0.5 * conic.tail<2>();
+  Eigen::Matrix2d quadratic;
+  quadratic << conic(0), 0.5 * conic(1), 0.5 * conic(1), conic(2);
+  const Eigen::Matrix2d shape = centre * centre.transpose() - quadratic;
+  if (!shape.allFinite() || !(shape(0, 0) > 0.0) || !(shape.determinant() > 0.0))
+    return unexpected(Rejection::kNotAnEllipse);
+
+  const double left_over = std::max(sums.squares - conic.dot(sums.vector), 0.0);
+  const double variance = kSharedPixels * left_over / (sums.lines - 5);
+  const Matrix5 covariance = variance * factor.inverse();
+  DetectedMarker marker;
+  marker.centre_px = light.middle_px() + scale_px * centre;
+  marker.ellipse = ellipseOf(marker.centre_px, scale_px * scale_px * shape);
+  marker.covariance_px2 = 0.25 * scale_px * scale_px * covariance.block<2, 2>(3, 3);
+  const double halves[] = {1.0, 0.5, 1.0};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      marker.shape_covariance_px4(i, j) = std::pow(scale_px, 4) * halves[i] * halves[j] * covariance(i, j);
+  marker.outline_fraction = 1.0;
+  // A line that touches the unit circle and is moved by e changes l^T C l by 2 e.
+  const double miss = 0.5 * std::sqrt(left_over / std::max(sums.weight, 1e-12));
+  if (!(miss < kMostResidual + settings_.outline_tolerance_px / scale_px))
+    return unexpected(Rejection::kNotAnEllipse);
+  return withinLimits(marker, settings_);
+}
+
+}  // namespace mirrorarm::vision
