@@ -12,8 +12,6 @@ namespace {
 constexpr int kChords = 3;
 constexpr int kDirections = 8;
 
-using Directions = std::array<Eigen::Vector2d, kDirections>;
-
 /// Unit vectors over half a turn.
 template <std::size_t kCount>
 std::array<Eigen::Vector2d, kCount> halfTurn() {
@@ -40,10 +38,9 @@ struct Chords {
 };
 
 /// Three chords hold all that their description needs.
-std::optional<Chords> chordsOf(const camera::CameraModel& camera, const FlatDisc& disc) {
+std::optional<Chords> chordsOf(const camera::CameraModel& camera, const FlatDisc& disc,
+                               const Eigen::Vector2d& centre_px) {
   static const auto directions = halfTurn<kChords>();
-  const auto centre = camera.project(disc.p_K);
-  if (!centre) return std::nullopt;
   const Eigen::Vector3d u = disc.radius_m * disc.normal_K.unitOrthogonal();
   const Eigen::Vector3d v = disc.normal_K.cross(u);
   Chords chords;
@@ -52,7 +49,7 @@ std::optional<Chords> chordsOf(const camera::CameraModel& camera, const FlatDisc
     const auto one = camera.project(disc.p_K + half);
     const auto other = camera.project(disc.p_K - half);
     if (!one || !other) return std::nullopt;
-    const Eigen::Vector2d middle = (0.5 * (*one + *other) - *centre) / kChords;
+    const Eigen::Vector2d middle = (0.5 * (*one + *other) - centre_px) / kChords;
     chords.axes += (*one - *other) * d.transpose() / kChords;
     chords.even += middle;
     chords.twice_c += 2.0 * (d.x() * d.x() - d.y() * d.y()) * middle;
@@ -64,8 +61,15 @@ std::optional<Chords> chordsOf(const camera::CameraModel& camera, const FlatDisc
 }  // namespace
 
 std::optional<Eigen::Vector2d> centreBias(const camera::CameraModel& camera, const FlatDisc& disc) {
-  static const Directions directions = halfTurn<kDirections>();
-  const auto chords = chordsOf(camera, disc);
+  const auto centre_px = camera.project(disc.p_K);
+  if (!centre_px) return std::nullopt;
+  return centreBias(camera, disc, *centre_px);
+}
+
+std::optional<Eigen::Vector2d> centreBias(const camera::CameraModel& camera, const FlatDisc& disc,
+                                          const Eigen::Vector2d& centre_px) {
+  static const auto directions = halfTurn<kDirections>();
+  const auto chords = chordsOf(camera, disc, centre_px);
   if (!chords) return std::nullopt;
   // Turning and stretching an ellipse moves both ends of a chord alike inwards or outwards; only its shift
   // moves their middle. So the five unknowns of the fit fall apart, and the shift has its own 2x2 system:

@@ -23,6 +23,10 @@ struct FlatDisc {
 /// image measurement errors of circular object targets, Photogrammetric Record 16(93), 1999.
 [[nodiscard]] std::optional<Eigen::Vector2d> centreBias(const camera::CameraModel& camera,
                                                         const FlatDisc& disc);
+/// The same for who knows the image of the disc's centre already.
+[[nodiscard]] std::optional<Eigen::Vector2d> centreBias(const camera::CameraModel& camera,
+                                                        const FlatDisc& disc,
+                                                        const Eigen::Vector2d& centre_px);
 
 /// The image of the disc's centre, from the centre that a fit found in the raw image; the disc may come from
 /// two views or from a tracked pose. As fitted where the lens model does not hold.

@@ -21,6 +21,7 @@ constexpr double kFloorOfAxis = 0.003;   // likewise, in parts of the longer one
 constexpr double kCutFloorOfAxis = 0.1;  // a cut outline was helped out by the fit
 constexpr double kAxisOfCentre = 1.5;    // variance of an axis against the centre's, where only that is known
 constexpr double kWorthATry = 50.0;      // chi squared that a mirrored start may be worse
+constexpr double kHopeless = 500.0;      // chi squared that no descent brings down far enough
 constexpr double kPriorTilt_rad = 0.7;  // discs show their faces: keeps what two far views cannot tell finite
 
 /// (xx, xy, yy) of a symmetric matrix.
@@ -155,6 +156,7 @@ Solution solve(const Outlines& outlines, const std::array<Vector3d, 4>& candidat
     starts[i] = {candidates[i], Matrix3d::Zero(), misfitOf(outlines, candidates[i])};
   const auto least = std::min_element(
       starts.begin(), starts.end(), [](const Solution& a, const Solution& b) { return a.misfit < b.misfit; });
+  if (least->misfit > kHopeless) return *least;
   const Vector3d facing = (candidates[0] + candidates[1] + candidates[2] + candidates[3]).normalized();
   const Solution solution = descend(outlines, *least, facing);
   const auto mirrored = static_cast<std::size_t>(least - starts.begin()) ^ 1U;

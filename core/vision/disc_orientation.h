@@ -15,7 +15,9 @@ struct DiscOrientation {
   double radius_m = 0.0;
   /// Of radius_m * normal_C. Where noise alone decides between a normal and its mirror image, both are in it.
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
-  double misfit = 0.0;  ///< chi squared with 3 degrees of freedom: two outlines have six numbers
+  /// Chi squared with 3 degrees of freedom: two outlines have six numbers. Outlines that no disc can have
+  /// are not followed to the end: then it is in the hundreds and the rest a first guess.
+  double misfit = 0.0;
 };
 
 /// The disc at `images` whose projections match the outlines of both markers best, weighted by their shape

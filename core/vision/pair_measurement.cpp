@@ -33,10 +33,8 @@ Matrix3d covarianceOfTilt(const camera::StereoRig& rig, const ImagedPoint& image
   return by_tilt * disc.covariance_m2 * by_tilt.transpose();
 }
 
-/// Nothing that a cut outline says speaks against a pair.
-double judgedMisfit(const DiscOrientation& disc, const DetectedMarker& left, const DetectedMarker& right) {
-  return left.cut || right.cut ? 0.0 : disc.misfit;
-}
+/// What a cut outline says of its disc speaks against no pair.
+bool canBeJudged(const DetectedMarker& left, const DetectedMarker& right) { return !left.cut && !right.cut; }
 
 void describe(const DiscOrientation& disc, StereoPoint& point) {
   const double r2 = disc.radius_m * disc.radius_m;
@@ -45,11 +43,31 @@ void describe(const DiscOrientation& disc, StereoPoint& point) {
   point.radius_m = disc.radius_m;
 }
 
-void correct(const camera::StereoRig& rig, const DiscOrientation& disc, const Vector3d& p_C,
+void correct(const camera::StereoRig& rig, const DiscOrientation& disc, const ImagedPoint& images,
              StereoPoint& point) {
-  point.left_px = physicalCentre(rig.left, point.left_px, {p_C, disc.normal_C, disc.radius_m});
-  point.right_px = physicalCentre(rig.right, point.right_px,
-                                  {rig.X_RC * p_C, rig.X_RC.linear() * disc.normal_C, disc.radius_m});
+  const RigidTransform& X_RC = rig.X_RC;
+  const auto left = centreBias(rig.left, {images.p_C, disc.normal_C, disc.radius_m}, images.left.pixel);
+  const auto right = centreBias(rig.right, {X_RC * images.p_C, X_RC.linear() * disc.normal_C, disc.radius_m},
+                                images.right.pixel);
+  if (!left || !right) return;
+  point.left_px -= *left;
+  point.right_px -= *right;
+}
+
+/// From the corrected pixels in `pair` to its place; `disc` is null when they were not corrected.
+bool triangulate(const camera::StereoRig& rig, const ImagedPoint& start, const DiscOrientation* disc,
+                 const DetectedMarker& left, const DetectedMarker& right, StereoPoint& pair) {
+  const auto left_centre = measuredCentre(pair.left_px, left.covariance_px2);
+  const auto right_centre = measuredCentre(pair.right_px, right.covariance_px2);
+  const auto images = imaged(rig, stepTowards(start, left_centre, right_centre).p_C);
+  if (!images) return false;
+  const auto point = stepTowards(*images, left_centre, right_centre);
+  pair.p_C = point.p_C;
+  pair.covariance_m2 = point.covariance_m2;
+  if (disc != nullptr)
+    pair.covariance_m2 +=
+        covarianceOfTilt(rig, *images, *disc, left_centre, right_centre, point.covariance_m2);
+  return pair.p_C.allFinite() && pair.covariance_m2.allFinite();
 }
 
 }  // namespace
@@ -57,32 +75,22 @@ void correct(const camera::StereoRig& rig, const DiscOrientation& disc, const Ve
 std::optional<PairMeasurement> measurePair(const camera::StereoRig& rig, const MatcherSettings& settings,
                                            const Vector3d& start_C, const DetectedMarker& left,
                                            const DetectedMarker& right) {
-  const auto at_start = imaged(rig, start_C);
-  if (!at_start) return std::nullopt;
-  auto left_centre = measuredCentre(left.centre_px, left.covariance_px2);
-  auto right_centre = measuredCentre(right.centre_px, right.covariance_px2);
-  const auto images = imaged(rig, stepTowards(*at_start, left_centre, right_centre).p_C);
-  if (!images) return std::nullopt;
-
+  const auto start = imaged(rig, start_C);
+  if (!start) return std::nullopt;
   PairMeasurement pair;
   pair.point.left_px = left.centre_px;
   pair.point.right_px = right.centre_px;
-  const auto disc = discOrientation(*images, left, right);
-  if (disc) {
-    pair.shape_misfit = judgedMisfit(*disc, left, right);
-    if (pair.shape_misfit > settings.max_shape_misfit) return std::nullopt;
-    describe(*disc, pair.point);
+  const auto disc = discOrientation(*start, left, right);
+  const bool is_one_disc = disc && disc->misfit <= settings.max_shape_misfit;
+  if (disc && canBeJudged(left, right)) {
+    if (!is_one_disc) return std::nullopt;
+    pair.shape_misfit = disc->misfit;
   }
-  if (disc && settings.correct_centres) correct(rig, *disc, images->p_C, pair.point);
-  left_centre.pixel = pair.point.left_px;
-  right_centre.pixel = pair.point.right_px;
-  const auto point = stepTowards(*images, left_centre, right_centre);
-  pair.point.p_C = point.p_C;
-  pair.point.covariance_m2 = point.covariance_m2;
-  if (disc && settings.correct_centres)
-    pair.point.covariance_m2 +=
-        covarianceOfTilt(rig, *images, *disc, left_centre, right_centre, point.covariance_m2);
-  if (!pair.point.p_C.allFinite() || !pair.point.covariance_m2.allFinite()) return std::nullopt;
+  if (is_one_disc) describe(*disc, pair.point);
+  const bool is_corrected = is_one_disc && settings.correct_centres;
+  if (is_corrected) correct(rig, *disc, *start, pair.point);
+  if (!triangulate(rig, *start, is_corrected ? &*disc : nullptr, left, right, pair.point))
+    return std::nullopt;
   return pair;
 }
 

@@ -16,9 +16,9 @@ struct PairMeasurement {
   double shape_misfit = 0.0;  ///< chi squared, 3 degrees of freedom; 0 where a cut outline cannot be judged
 };
 
-/// The disc near `start_C`: triangulated, its normal from both outlines, its centres corrected, triangulated
-/// again; how uncertain the normal leaves the correction is part of the covariance. Nothing when no disc has
-/// both outlines, or a lens model does not hold.
+/// The disc near `start_C`, within a few pixels of both centres: its normal from both outlines, its centres
+/// corrected with that, triangulated; how uncertain the normal leaves the correction is part of the
+/// covariance. Nothing when no disc has both outlines, or a lens model does not hold.
 [[nodiscard]] std::optional<PairMeasurement> measurePair(const camera::StereoRig& rig,
                                                          const MatcherSettings& settings,
                                                          const Eigen::Vector3d& start_C,
