@@ -123,7 +123,7 @@ void drawMaps(const camera::StereoRig& rig, const std::vector<Sample>& samples,
   std::map<std::string, ErrorMap> maps;
   for (std::size_t i = 0; i < samples.size(); i += 2)
     for (const auto& [method, error_px] : samples[i].errors_px)
-      maps.try_emplace(method, "Centre error of " + method + ", no noise", size.width_px, size.height_px)
+      maps.try_emplace(method, "Centre error, " + method + ", no noise", size.width_px, size.height_px)
           .first->second.add(samples[i].at_px, error_px);
   for (const auto& [method, map] : maps) map.write(out / ("error_map_" + method + ".png"));
 }

@@ -95,9 +95,10 @@ void measureCutDiscs(Run& run) {
       const auto cut = runDiscTrials(count, snr, stream,
                                      [&](TrialRandom& random) { return randomCutDisc(diameter_px, random); });
       run.report.rows.push_back(cutRow(nameOf(diameter_px, snr), cut));
-      const auto uncut = runDiscTrials(count, snr, stream + 500, [&](TrialRandom& random) {
+      const auto makeWhole = [&](TrialRandom& random) {
         return randomDisc(diameter_px, kLeastRatio, random);
-      });
+      };
+      const auto uncut = runDiscTrials(count, snr, stream + 500, makeWhole, defaultEstimator);
       whole.push_back(wholeRow(nameOf(diameter_px, snr), uncut));
     }
   run.report.rows.insert(run.report.rows.end(), whole.begin(), whole.end());

@@ -14,13 +14,13 @@ namespace {
 /// Where a person would click: the methods get no better hint.
 Eigen::Vector2d hintOf(const Disc& disc) { return disc.centre_px.array().round(); }
 
-/// Renders each disc and asks every method; a worker of its own a thread.
+/// Renders each disc and asks the methods; a worker of its own a thread.
 struct Worker {
   std::vector<DiscTrial>& trials;
   double snr;
   std::uint64_t stream;
   const DiscMaker& make;
-  Estimators estimators = allEstimators();
+  Estimators estimators;
 
   void operator()(int index) {
     TrialRandom random(kSeed, stream, static_cast<std::uint64_t>(index));
@@ -55,9 +55,10 @@ MethodError errorOf(const std::vector<DiscTrial>& trials, std::size_t method,
 
 }  // namespace
 
-std::vector<DiscTrial> runDiscTrials(int count, double snr, std::uint64_t stream, const DiscMaker& make) {
+std::vector<DiscTrial> runDiscTrials(int count, double snr, std::uint64_t stream, const DiscMaker& make,
+                                     Estimators (*methods)()) {
   std::vector<DiscTrial> trials(static_cast<std::size_t>(count));
-  forEachTrial(count, [&] { return Worker{trials, snr, stream, make}; });
+  forEachTrial(count, [&] { return Worker{trials, snr, stream, make, methods()}; });
   return trials;
 }
 

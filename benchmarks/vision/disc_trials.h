@@ -14,15 +14,16 @@ namespace mirrorarm::benchmarks::vision {
 /// What all methods said about one image.
 struct DiscTrial {
   Disc truth;
-  std::vector<Answer> answers;  ///< in the order of allEstimators()
+  std::vector<Answer> answers;  ///< in the order of the methods
 };
 
 /// Makes the disc of a trial.
 using DiscMaker = std::function<Disc(TrialRandom& random)>;
 
-/// Shows `count` discs with white noise of contrast / `snr` to all methods, the same images to each.
+/// Shows `count` discs with white noise of contrast / `snr` to the methods, the same images to each.
 [[nodiscard]] std::vector<DiscTrial> runDiscTrials(int count, double snr, std::uint64_t stream,
-                                                   const DiscMaker& make);
+                                                   const DiscMaker& make,
+                                                   Estimators (*methods)() = allEstimators);
 
 /// What one method did over many trials.
 struct MethodError {
@@ -34,6 +35,7 @@ struct MethodError {
   std::optional<double> mean_normalised_square;
 };
 
+/// Of trials with all methods.
 [[nodiscard]] std::vector<MethodError> errorsOf(const std::vector<DiscTrial>& trials);
 
 /// Root mean square over the first discs of the trials (at most 200) of the least possible deviation.

@@ -13,11 +13,12 @@ namespace {
 constexpr double kScale = 0.62;  // of the image in the picture
 constexpr double kLeft = 20.0, kTop = 50.0, kBelow = 60.0;
 constexpr double kLongArrow_px = 30.0;
-constexpr double kLeastColour_px = 0.001, kMostColour_px = 1.0;
+constexpr double kLeastColour_px = 0.0001, kMostColour_px = 1.0;
 
-/// From blue at 0.001 px over green and orange to red at 1 px, logarithmic.
+/// From violet at 0.0001 px over blue, green and orange to red at 1 px, logarithmic.
 Colour colourOfError(double error_px) {
-  constexpr std::array<Colour, 4> kStops{{{30, 60, 200}, {0, 150, 110}, {240, 150, 0}, {190, 0, 30}}};
+  constexpr std::array<Colour, 5> kStops{
+      {{110, 40, 160}, {30, 60, 200}, {0, 150, 110}, {240, 150, 0}, {190, 0, 30}}};
   const double decades = std::log10(std::clamp(error_px, kLeastColour_px, kMostColour_px) / kLeastColour_px);
   const auto below = std::min(static_cast<std::size_t>(decades), kStops.size() - 2);
   const double share = decades - static_cast<double>(below);
@@ -36,15 +37,16 @@ double roundBelow(double value) {
 }
 
 void drawColours(Canvas& canvas, double right, double y) {
-  constexpr int kSteps = 150;
+  constexpr int kSteps = 160, kDecades = 4;
   for (int i = 0; i < kSteps; ++i) {
     const double error_px = kLeastColour_px * std::pow(kMostColour_px / kLeastColour_px, (i + 0.5) / kSteps);
     const double x = right - 2.0 * (kSteps - i);
     canvas.box({x, y - 14.0}, {x + 2.0, y - 4.0}, colourOfError(error_px), true);
   }
-  for (int decade = 0; decade <= 3; ++decade)
-    canvas.text(shortNumber(kLeastColour_px * std::pow(10.0, decade)) + (decade == 3 ? " px" : ""),
-                {right - 2.0 * kSteps * (1.0 - decade / 3.0), y + 12.0}, Align::kMiddle, 0.4);
+  for (int decade = 0; decade <= kDecades; ++decade)
+    canvas.text(shortNumber(kLeastColour_px * std::pow(10.0, decade)) + (decade == kDecades ? " px" : ""),
+                {right - 2.0 * kSteps * (1.0 - static_cast<double>(decade) / kDecades), y + 12.0},
+                Align::kMiddle, 0.4);
 }
 
 }  // namespace

@@ -78,6 +78,12 @@ Estimators otherEstimators() {
   return others;
 }
 
+Estimators defaultEstimator() {
+  Estimators alone;
+  alone.push_back(finderEstimator(product::FinderSettings{}.method));
+  return alone;
+}
+
 Estimators allEstimators() {
   Estimators all;
   using enum product::CentreMethod;

@@ -58,6 +58,8 @@ using Estimators = std::vector<std::unique_ptr<CentreEstimator>>;
 
 /// The methods of others.
 [[nodiscard]] Estimators otherEstimators();
+/// The default method of ours alone.
+[[nodiscard]] Estimators defaultEstimator();
 /// All of them, ours first, the default method at the front.
 [[nodiscard]] Estimators allEstimators();
 
