@@ -1,3 +1,4 @@
+#include <map>
 #include <numbers>
 
 #include "benchmarks/vision/disc_trials.h"
@@ -16,6 +17,7 @@ struct Fate {
   int not_found = 0, refused_as_cut = 0, flagged = 0;
   int good = 0, fair = 0, silent = 0;  ///< not flagged: within 0.15 px, within 0.3 px, beyond
   double flagged_square_px2 = 0.0;
+  std::map<product::Rejection, int> refused_otherwise;  ///< among those not found
 
   void add(const DiscTrial& trial);
   [[nodiscard]] double share(int count) const { return static_cast<double>(count) / trials; }
@@ -25,7 +27,9 @@ void Fate::add(const DiscTrial& trial) {
   ++trials;
   const Answer& answer = trial.answers.front();
   if (!answer) {
-    ++(answer.error() == Miss::kRefusedAsCut ? refused_as_cut : not_found);
+    const auto& reason = answer.error().reason;
+    ++(reason == product::Rejection::kCut ? refused_as_cut : not_found);
+    if (reason && reason != product::Rejection::kCut) ++refused_otherwise[*reason];
     return;
   }
   const double off_px = (answer->centre_px - trial.truth.centre_px).norm();
@@ -61,6 +65,9 @@ Row cutRow(const std::string& name, const std::vector<DiscTrial>& trials) {
       {"silently beyond", 100.0 * fate.share(fate.silent), "%"},
       {"not found", 100.0 * fate.share(fate.not_found), "%"},
       {"rms per axis of the flagged", std::sqrt(0.5 * fate.flagged_square_px2 / fate.flagged), "px"}};
+  for (const auto& [reason, count] : fate.refused_otherwise)
+    row.references.push_back(
+        {"refused as " + std::string(product::id(reason)), 100.0 * fate.share(count), "%"});
   for (const MethodError& error : errorsOf(trials))
     row.references.push_back({error.name, error.rms_px, "px"});
   row.pass = fate.silent == 0 && fate.share(fate.flagged + fate.refused_as_cut + fate.good) >= kGoal;

@@ -11,10 +11,9 @@ namespace {
 constexpr double kNear_px = 5.0;
 
 Miss missIn(const product::Detection& found, const Eigen::Vector2d& near_px) {
-  const auto isCutHere = [&](const product::RejectedLight& light) {
-    return light.reason == product::Rejection::kCut && (light.position_px - near_px).norm() < kNear_px;
-  };
-  return std::ranges::any_of(found.rejected_lights, isCutHere) ? Miss::kRefusedAsCut : Miss::kNotFound;
+  for (const auto& light : found.rejected_lights)
+    if ((light.position_px - near_px).norm() < kNear_px) return {light.reason};
+  return {};
 }
 
 class FinderEstimator : public CentreEstimator {
@@ -48,9 +47,9 @@ class VispEstimator : public CentreEstimator {
   Answer estimate(const camera::ImageView& image, const Eigen::Vector2d& near_px) override {
     const auto centre =
         dot_.centre(image.data, image.width_px, image.height_px, image.stride, near_px.x(), near_px.y());
-    if (!centre) return unexpected(Miss::kNotFound);
+    if (!centre) return unexpected(Miss{});
     const Eigen::Vector2d centre_px((*centre)[0], (*centre)[1]);
-    if (!((centre_px - near_px).norm() < kNear_px)) return unexpected(Miss::kNotFound);
+    if (!((centre_px - near_px).norm() < kNear_px)) return unexpected(Miss{});
     return Estimate{centre_px, std::nullopt, false};
   }
 

@@ -9,6 +9,7 @@
 
 #include "core/camera/image.h"
 #include "core/common/expected.h"
+#include "core/vision/detected_marker.h"
 #include "core/vision/finder_settings.h"
 
 namespace mirrorarm::benchmarks::vision {
@@ -22,10 +23,9 @@ struct Estimate {
   bool cut = false;                               ///< says that something covers a part
 };
 
-/// Why there is no estimate.
-enum class Miss {
-  kNotFound,     ///< nothing within 5 px
-  kRefusedAsCut  ///< a light is there, and the method says that something covers a part of it
+/// Why there is no estimate: what a method of ours says about the light within 5 px, or that none is there.
+struct Miss {
+  std::optional<product::Rejection> reason;
 };
 using Answer = Expected<Estimate, Miss>;
 

@@ -13,7 +13,7 @@ constexpr double kNear_px = 5.0;
 
 Answer nearEnough(const cv::Point2d& centre, const Eigen::Vector2d& near_px) {
   const Eigen::Vector2d centre_px(centre.x, centre.y);
-  if (!((centre_px - near_px).norm() < kNear_px)) return unexpected(Miss::kNotFound);
+  if (!((centre_px - near_px).norm() < kNear_px)) return unexpected(Miss{});
   return Estimate{centre_px, std::nullopt, false};
 }
 
@@ -44,7 +44,7 @@ class GreyCentroid : public CentreEstimator {
     const cv::Mat grey = viewOf(image).clone();
     cv::subtract(grey, middleGrey(grey), above_);  // below it saturates at 0
     const cv::Moments moments = cv::moments(above_);
-    if (moments.m00 <= 0.0) return unexpected(Miss::kNotFound);
+    if (moments.m00 <= 0.0) return unexpected(Miss{});
     return nearEnough({moments.m10 / moments.m00, moments.m01 / moments.m00}, near_px);
   }
 
@@ -61,7 +61,7 @@ class ContourEllipse : public CentreEstimator {
     cv::threshold(grey, above_, middleGrey(grey), 255.0, cv::THRESH_BINARY);
     cv::findContours(above_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     const auto* outline = longest(contours_);
-    if (outline == nullptr) return unexpected(Miss::kNotFound);
+    if (outline == nullptr) return unexpected(Miss{});
     return nearEnough(cv::fitEllipse(*outline).center, near_px);
   }
 
@@ -79,7 +79,7 @@ class CannyEllipse : public CentreEstimator {
     cv::Canny(smooth_, edges_, 50.0, 100.0);
     cv::findContours(edges_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     const auto* outline = longest(contours_);
-    if (outline == nullptr) return unexpected(Miss::kNotFound);
+    if (outline == nullptr) return unexpected(Miss{});
     return nearEnough(cv::fitEllipseDirect(*outline).center, near_px);
   }
 
@@ -111,7 +111,7 @@ class BlobDetector : public CentreEstimator {
       return (Eigen::Vector2d(blob.pt.x, blob.pt.y) - near_px).norm();
     };
     const auto nearest = std::ranges::min_element(blobs_, {}, distance);
-    if (nearest == blobs_.end()) return unexpected(Miss::kNotFound);
+    if (nearest == blobs_.end()) return unexpected(Miss{});
     return nearEnough(nearest->pt, near_px);
   }
 
