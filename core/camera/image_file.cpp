@@ -9,6 +9,8 @@
 #include "core/camera/image_header.h"
 #include "core/camera/image_integrity.h"
 #include "core/camera/jpeg_decoder.h"
+#include "core/camera/pixel_depth.h"
+#include "core/camera/tiff_decoder.h"
 #include "core/common/atomic_file.h"
 
 namespace mirrorarm::camera {
@@ -47,14 +49,6 @@ GreyImage toImage(const cv::Mat& grey) {
   return {grey.cols, grey.rows, std::move(pixels)};
 }
 
-/// Deeper pixels have a scale that only their writer knows.
-std::string tooDeep(const cv::Mat& image) {
-  const bool real = image.depth() == CV_32F || image.depth() == CV_64F;
-  const auto bits = std::to_string(8 * image.elemSize1());
-  return "has " + bits + (real ? "-bit real" : "-bit") +
-         " pixels, not 8-bit ones: convert it, choosing which grey becomes white";
-}
-
 /// What speaks against decoding the bytes at all; empty for nothing.
 std::string objection(const std::vector<std::uint8_t>& bytes) {
   if (!formatOf(bytes)) return "is no PNG, JPEG, BMP, TIFF or binary PGM image";
@@ -67,9 +61,11 @@ std::string objection(const std::vector<std::uint8_t>& bytes) {
 
 Expected<GreyImage, std::string> decodeAny(const std::vector<std::uint8_t>& bytes) {
   if (formatOf(bytes) == ImageFormat::kJpeg) return decodeJpeg(bytes, kMostPixels);
+  if (formatOf(bytes) == ImageFormat::kTiff) return decodeTiff(bytes, kMostPixels);
   const cv::Mat image = decode(bytes);
   if (image.empty()) return unexpected(std::string("is not an image that can be read"));
-  if (image.depth() != CV_8U) return unexpected(tooDeep(image));
+  if (image.depth() != CV_8U)
+    return unexpected(tooDeep(8 * static_cast<unsigned>(image.elemSize1()), image.depth() >= CV_32F));
   if (image.channels() == 2) return unexpected(std::string("has two channels"));
   return toImage(toGrey(image));
 }
