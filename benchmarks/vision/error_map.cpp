@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "benchmarks/report.h"
 #include "benchmarks/statistics.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kScale = 0.62;  // of the image in the picture
 constexpr double kLeft = 20.0, kTop = 50.0, kBelow = 60.0;
 constexpr double kLongArrow_px = 30.0;
+constexpr std::size_t kMostArrows = 300;  // more could not be told apart
 constexpr double kLeastColour_px = 0.0001, kMostColour_px = 1.0;
 
 /// From violet at 0.0001 px over blue, green and orange to red at 1 px, logarithmic.
@@ -66,7 +68,7 @@ void ErrorMap::write(const std::filesystem::path& file) const {
   canvas.box(low, high, kInk);
   const double long_error_px = std::max(quantile(lengths, 0.9), 1e-6);
   const double magnification = errors_.empty() ? 1.0 : kLongArrow_px / long_error_px;
-  for (const Error& error : errors_) {
+  for (const Error& error : errors_ | std::views::take(kMostArrows)) {
     const Eigen::Vector2d at = low + kScale * error.at_px;
     const Colour colour = colourOfError(error.error_px.norm());
     canvas.dot(at, 2.0, colour);

@@ -9,7 +9,7 @@
 namespace mirrorarm::benchmarks::vision {
 
 /// Errors over the field of view of one image: an arrow at each place, colour by length on one scale for all
-/// maps, length on a scale of the map's own that a bar tells.
+/// maps, length on a scale of the map's own that a bar tells. The first 300 are drawn, the title counts all.
 class ErrorMap {
  public:
   ErrorMap(std::string title, int width_px, int height_px)

@@ -10,6 +10,7 @@
 
 #include "core/camera/rig_file.h"
 #include "core/common/resources.h"
+#include "core/vision/stereo_matcher.h"
 
 namespace mirrorarm::benchmarks::vision {
 namespace {
@@ -42,6 +43,7 @@ std::optional<StereoDisc> tryDisc(const camera::StereoRig& rig, const DistanceRa
   StereoDisc disc;
   const Eigen::Vector3d sight = ray->homogeneous().normalized();
   disc.centre_C = random.uniform(range.least_m, range.most_m) * sight;
+  if (disc.centre_C.z() < mirrorarm::vision::MatcherSettings{}.min_depth_m) return std::nullopt;
   const double cosine = random.uniform(std::cos(kMostTilt_rad), 1.0);
   const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
   const Eigen::Vector3d a = sight.unitOrthogonal(), b = sight.cross(a);

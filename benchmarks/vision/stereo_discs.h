@@ -32,7 +32,7 @@ struct DistanceRange {
 
 /// `count` discs of 7 mm anywhere in the field that both cameras share, at such distances from the left one,
 /// tilted against both lines of sight by up to 60 degrees, at least `gap_px` between their centres in either
-/// image.
+/// image. None is nearer to the cameras' plane than the matcher's own least depth.
 [[nodiscard]] std::vector<StereoDisc> randomDiscs(const camera::StereoRig& rig, int count,
                                                   const DistanceRange& range, double gap_px,
                                                   TrialRandom& random);
