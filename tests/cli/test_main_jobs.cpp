@@ -126,6 +126,17 @@ TEST(MainJobs, EveryMethodFindsADiscInImagesOfAnySize) {
   }
 }
 
+TEST(MainJobs, AllDotsOfSixPlateImagesAreFound) {
+  const auto data = shared("ucl-dots-metal");
+  SKIP_WITHOUT(data);
+  const test::ScratchFolder scratch;
+  const auto done = run("detect --dark " + (data / "14_1*/*.png").string() + " --json --out " +
+                        (scratch / "centres.csv").string());
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.json()["images"], 6);
+  EXPECT_EQ(done.json()["discs"], 6 * 14 * 16);
+}
+
 TEST(MainJobs, DoctorSpeaksJson) {
   const auto done = run("doctor --json");
   EXPECT_EQ(done.exit_code, 0) << done.err;
