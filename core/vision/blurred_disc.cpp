@@ -135,19 +135,24 @@ MIRRORARM_INLINE Eight modelAt(const Model& m, const Floats& rx, float ry) {
   return e;
 }
 
-/// Residual and the inverse of its standard deviation; both 0 where the pixel says nothing.
+/// What a pixel leaves over: residual, and the inverse of its standard deviation, both 0 where it says
+/// nothing; and the residual by its deviation, which for an intruder stays at the limit, so that the sum of
+/// squares does not leap when a pixel becomes one.
 struct Left {
   Floats residual;
   Floats certainty;
+  Floats normalised;
 };
 
 MIRRORARM_INLINE Left compare(const Model& m, const Eight& e, const Floats& seen) {
-  const Floats residual = seen - e.expected;
+  const Floats none{};
   const Ints censored = (seen > kFull) & (e.expected > kFull);
+  const Floats residual = censored ? none : seen - e.expected;
+  const Floats certainty = lanes::inverseRoot(m.dark + m.lit * e.share);
   const Ints intruder = (e.distance > kOutside * m.blur) & (residual > m.intruder);
   const Ints silent = censored | intruder;
-  const Floats none{};
-  return {silent ? none : residual, silent ? none : lanes::inverseRoot(m.dark + m.lit * e.share)};
+  return {silent ? none : residual, silent ? none : certainty,
+          certainty * (intruder ? lanes::all(m.intruder) : residual)};
 }
 
 template <bool kCovered>
@@ -222,7 +227,7 @@ MIRRORARM_INLINE int fill(const Model& m, const Brightness& image, const Region&
     Floats J[kDiscParameters];
     derivatives<kCovered>(m, e, J);
     for (int i = 0; i < kDiscParameters; ++i) strip.column[i][count] = left.certainty * J[i];
-    strip.column[kResidual][count] = left.certainty * left.residual;
+    strip.column[kResidual][count] = left.normalised;
     strip.column[kResidual + 1][count] = Floats{};
     const Floats speaks = left.certainty > 0.0F ? lanes::all(1.0F) : Floats{};
     const Floats square = left.residual * left.residual;

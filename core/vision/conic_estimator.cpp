@@ -14,7 +14,7 @@ constexpr int kMargin_px = 2;
 constexpr double kLeastGradient = 0.04;  // of the light a pixel
 constexpr double kGradientNoises = 2.0;
 constexpr double kSharedPixels = 3.0;   // gradients of neighbours share their noise
-constexpr double kMostResidual = 0.06;  // of the radius, that lines may miss the conic by
+constexpr double kMostResidual = 0.08;  // of the radius, that lines may miss the conic by
 
 /// Gradient by Sobel's operator [grey/px].
 Eigen::Vector2d gradientAt(const Brightness& image, int x, int y) {
@@ -93,8 +93,8 @@ Expected<DetectedMarker, Rejection> ConicEstimator::measure(const Brightness& im
   marker.outline_fraction = 1.0;
   // A line that touches the unit circle and is moved by e changes l^T C l by 2 e.
   const double miss = 0.5 * std::sqrt(left_over / std::max(sums.weight, 1e-12));
-  if (!(miss < kMostResidual + settings_.outline_tolerance_px / scale_px))
-    return unexpected(Rejection::kNotAnEllipse);
+  const double tolerance = settings_.outline_tolerance_px / scale_px + settings_.outline_tolerance_of_radius;
+  if (!(miss < kMostResidual + 2.0 * tolerance)) return unexpected(Rejection::kNotAnEllipse);
   return withinLimits(marker, settings_);
 }
 

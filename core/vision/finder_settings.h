@@ -27,11 +27,12 @@ struct FinderSettings {
       0.35;  ///< edge points from the fitted ellipse; less for small discs (the paper's method)
   double outline_tolerance_px = 0.04;         ///< that a real disc's outline may deviate from an ellipse
   double outline_tolerance_of_radius = 0.01;  ///< and more, in shares of its radius
-  double max_centre_sigma_px = 0.3;           ///< a centre less certain than that is no measurement
-  double min_outline_fraction = 0.5;          ///< share of the outline that the image must support
+  double light_tolerance = 0.03;     ///< that a disc's light may vary besides noise and ramp, in shares of it
+  double max_centre_sigma_px = 0.3;  ///< a centre less certain than that is no measurement
+  double min_outline_fraction = 0.5;  ///< share of the outline that the image must support
   double edge_sigma_px = 1.0;   ///< scale of the paper's edges; twice that for discs beyond 14 times as much
   bool dark_on_bright = false;  ///< calibration plates: dark dots on bright ground
-  double max_size_ratio = 0.0;  ///< dots of a plate are alike: of a disc to the median of all; 0: any
+  double min_size_of_median = 0.0;  ///< plates: dirt is smaller than the dots, which are alike
 };
 
 /// For calibration plates: dark dots on bright ground, 6 to 100 px wide, also on coarse prints and
@@ -44,9 +45,10 @@ struct FinderSettings {
   settings.max_fit_rms_px = 1.0;
   settings.outline_tolerance_px = 0.2;
   settings.outline_tolerance_of_radius = 0.03;
+  settings.light_tolerance = 0.15;
   settings.max_centre_sigma_px = 0.45;
   settings.dark_on_bright = true;
-  settings.max_size_ratio = 1.6;
+  settings.min_size_of_median = 0.7;
   return settings;
 }
 

@@ -15,7 +15,6 @@ constexpr int kEight = 8;           // the fit takes pixels by eights
 constexpr double kUsualBlur_px = 0.75;
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2, of rounding to whole grey values
 constexpr double kShotNoise = 0.04;           // variance a grey level of light: 25 electrons a level
-constexpr double kTexture = 0.03;             // of the light, that marker film may vary
 constexpr double kInsideShare = 0.98;
 constexpr double kMostInsideRatio = 3.0;
 constexpr double kMostBlurOfRadius = 0.5;  // what is softer is a glow
@@ -179,7 +178,7 @@ bool LikelihoodEstimator::follows(const FittedDisc& fitted, const Light& light, 
   profile_.measure(fitted.disc, noise, image, window,
                    settings_.outline_tolerance_px + settings_.outline_tolerance_of_radius * radius_px);
   if (profile_.misfit() > 1.0) return false;
-  const double texture = kTexture * fitted.disc.light;
+  const double texture = settings_.light_tolerance * fitted.disc.light;
   return profile_.insideVariance(kInsideShare) <
          kMostInsideRatio * (noise.dark + noise.lit + texture * texture);
 }

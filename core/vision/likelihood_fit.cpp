@@ -12,10 +12,12 @@
 namespace mirrorarm::vision {
 namespace {
 
-constexpr int kMostSteps = 14;
+constexpr int kMostSteps = 24;
 constexpr int kFewSteps = 4;
-constexpr double kSettled = 1e-2;             // predicted fall of the sum of squares: a tenth of a sigma
-constexpr double kNear = 0.1;                 // the same a pixel: then what is left over is noise
+constexpr double kSettled = 1e-2;  // predicted fall of the sum of squares: a tenth of a sigma
+constexpr double kNear = 0.1;      // the same a pixel: then what is left over is noise
+constexpr double kLeastDamping = 1e-3;
+constexpr double kMostDampingAtEnd = 0.1;
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2
 constexpr double kLeastBlur_px = 0.3;
 constexpr double kMostBlur_px = 6.0;
@@ -145,26 +147,28 @@ bool LikelihoodFit::descend(const Brightness& image, const Region& window, const
   bool comparable = false;  // sums of squares, which hang on the noise
   bool noise_known = !how.learn_noise;
   for (int step = 0; step < how.most_steps; ++step) {
-    normalEquations(trial, noise_, image, window, at_trial);
-    addPriors(trial, at_trial.matrix, at_trial.vector);
-    if (!comparable || at_trial.squares <= squares_) {
+    const bool valid = isADisc(trial, window);
+    if (valid) {
+      normalEquations(trial, noise_, image, window, at_trial);
+      addPriors(trial, at_trial.matrix, at_trial.vector);
+    }
+    if (valid && (!comparable || at_trial.squares <= squares_)) {
       squares_ = at_trial.squares;
       disc = trial;
       std::swap(equations_, at_trial);
-      damping *= 0.1;
+      damping = damping > kLeastDamping ? 0.1 * damping : 0.0;
       comparable = true;
+    } else if (comparable) {
+      damping = std::max(10.0 * damping, 10.0 * kLeastDamping);
     } else {
-      damping = std::max(10.0 * damping, 0.01);
+      return false;
     }
     if (!factor.factorise(equations_.matrix, damping)) return false;
-    const DiscVector wanted = factor.solve(equations_.vector);
-    if (!wanted.allFinite()) return false;
-    const DiscVector change = bounded(disc, wanted);
+    const DiscVector change = bounded(disc, factor.solve(equations_.vector));
     const double fall = change.dot(equations_.vector);
     trial = moved(disc, change);
-    if (!isADisc(trial, window)) return false;
-    if (damping >= 0.1) continue;
-    if (noise_known && fall < kSettled) {
+    if (damping > kMostDampingAtEnd) continue;
+    if (noise_known && fall < kSettled && isADisc(trial, window)) {
       disc = trial;
       return true;
     }

@@ -59,7 +59,7 @@ struct MarkerFinder::Body {
   void accept(const Component& component, const DetectedMarker& marker);
   void reject(const Eigen::Vector2d& position_px, double extent_px, Rejection reason);
   void dropDoubles();
-  void dropOddSizes();
+  void dropSmall();
   void judgeExposure();
 
   FinderSettings settings;
@@ -144,19 +144,17 @@ bool MarkerFinder::Body::splits(const Light& light, std::size_t level) {
   return true;
 }
 
-void MarkerFinder::Body::dropOddSizes() {
-  if (!(settings.max_size_ratio > 0.0) || found.markers.empty()) return;
+void MarkerFinder::Body::dropSmall() {
+  if (!(settings.min_size_of_median > 0.0) || found.markers.empty()) return;
   sizes.clear();
   for (const auto& marker : found.markers) sizes.push_back(sizeOf(marker));
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
+  const double least = settings.min_size_of_median * *middle;
   std::erase_if(found.markers, [&](const DetectedMarker& marker) {
-    const double ratio = sizeOf(marker) / *middle;
-    const bool odd = std::max(ratio, 1.0 / ratio) > settings.max_size_ratio;
-    if (odd)
-      reject(marker.centre_px, 2.0 * marker.ellipse.semi_major_px,
-             ratio < 1.0 ? Rejection::kTooSmall : Rejection::kTooLarge);
-    return odd;
+    if (sizeOf(marker) >= least) return false;
+    reject(marker.centre_px, 2.0 * marker.ellipse.semi_major_px, Rejection::kTooSmall);
+    return true;
   });
 }
 
@@ -204,7 +202,7 @@ const Detection& MarkerFinder::find(const camera::ImageView& image, std::span<co
   unite(regions.empty() ? std::span<const Region>(&whole, 1) : regions, whole, body.regions);
   for (const auto& region : body.regions) body.search(region);
   body.dropDoubles();
-  body.dropOddSizes();
+  body.dropSmall();
   body.judgeExposure();
   return body.found;
 }
