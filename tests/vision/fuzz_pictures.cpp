@@ -174,9 +174,11 @@ FinderSettings FuzzSource::settings() {
   settings.method = static_cast<CentreMethod>(whole(0, 2));
   settings.dark_on_bright = oneIn(2);
   if (oneIn(2)) return settings;
-  for (double* value : {&settings.min_diameter_px, &settings.max_diameter_px, &settings.max_axis_ratio,
-                        &settings.max_fit_rms_px, &settings.max_centre_sigma_px,
-                        &settings.min_outline_fraction, &settings.edge_sigma_px})
+  for (double* value :
+       {&settings.min_diameter_px, &settings.max_diameter_px, &settings.max_axis_ratio,
+        &settings.max_fit_rms_px, &settings.outline_tolerance_px, &settings.outline_tolerance_of_radius,
+        &settings.light_tolerance, &settings.max_centre_sigma_px, &settings.min_outline_fraction,
+        &settings.edge_sigma_px, &settings.min_size_of_median})
     *value = absurdOr(*value * real(0.5, 2.0));
   return settings;
 }
