@@ -10,8 +10,9 @@ namespace {
 using lanes::Floats;
 using lanes::Ints;
 
-constexpr float kReach = 8.0F;    // blurs from the outline: beyond it nothing changes
-constexpr float kOutside = 1.5F;  // blurs: farther out a bright pixel belongs to something else
+constexpr float kLeastVariance = 1.0F / 12.0F;  // grey^2, of rounding to whole grey values
+constexpr float kReach = 8.0F;                  // blurs from the outline: beyond it nothing changes
+constexpr float kOutside = 1.5F;                // blurs: farther out a bright pixel belongs to something else
 constexpr float kIntruderNoises = 5.0F;
 constexpr float kIntruderShare = 0.06F;  // of the light: the soft rim leaves less than that out there
 constexpr float kInverseRoot2Pi = 0.39894228F;
@@ -148,7 +149,9 @@ MIRRORARM_INLINE Left compare(const Model& m, const Eight& e, const Floats& seen
   const Floats none{};
   const Ints censored = (seen > kFull) & (e.expected > kFull);
   const Floats residual = censored ? none : seen - e.expected;
-  const Floats certainty = lanes::inverseRoot(m.dark + m.lit * e.share);
+  // Where the ground is noisier than the light, rounding could take the sum below zero.
+  const Floats variance = lanes::most(m.dark + m.lit * e.share, lanes::all(kLeastVariance));
+  const Floats certainty = lanes::inverseRoot(variance);
   const Ints intruder = (e.distance > kOutside * m.blur) & (residual > m.intruder);
   const Ints silent = censored | intruder;
   return {silent ? none : residual, silent ? none : certainty,
