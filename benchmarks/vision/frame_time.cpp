@@ -143,7 +143,7 @@ void measureFrameTime(Run& run) {
   rows.push_back(timeRow("10 markers, whole images, one core", whole_alone, 0.6, 1.0));
   rows.push_back(timeRow("10 markers, regions expected, one core", regions_alone, 0.6, 1.0));
   rows.push_back(ratioRow(rig, ring, run.trials(100, 5), whole));
-  const Observing crowded = observe(rig, crowdedScene(rig, kRing), frames, Search::kWholeImage);
+  const Observing crowded = observe(rig, crowdedScene(rig, kRing), run.trials(1000, 60), Search::kWholeImage);
   rows.push_back(timeRow("80 discs and 20 spurious, whole images, two cores", crowded, 2.0, 0.0));
   rows.push_back(heapRow("whole images", whole));
   rows.push_back(heapRow("regions expected", regions));
