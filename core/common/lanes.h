@@ -20,6 +20,7 @@ inline constexpr int kCount = 8;
 using Floats = float __attribute__((vector_size(32)));
 using Ints = std::int32_t __attribute__((vector_size(32)));
 using Bytes = std::uint8_t __attribute__((vector_size(32)));
+using Longs = std::uint64_t __attribute__((vector_size(32)));
 using FewBytes = std::uint8_t __attribute__((vector_size(8)));
 
 MIRRORARM_INLINE Floats all(float value) { return Floats{} + value; }
@@ -32,6 +33,30 @@ MIRRORARM_INLINE Floats floatsOf(const std::uint8_t* bytes) {
   Ints ints;
   std::memcpy(&ints, whole, sizeof ints);
   return __builtin_convertvector(ints, Floats);
+}
+
+template <class To, class From>
+MIRRORARM_INLINE To sameBits(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
+
+/// Of each eight bytes side by side the largest, and their sum, as 64-bit numbers.
+MIRRORARM_INLINE Longs largestOfEights(Bytes bytes) {
+  for (int bits = 32; bits >= 8; bits /= 2) {
+    const auto shifted = sameBits<Bytes>(sameBits<Longs>(bytes) >> bits);
+    bytes = shifted > bytes ? shifted : bytes;
+  }
+  return sameBits<Longs>(bytes) & 0xff;
+}
+
+MIRRORARM_INLINE Longs sumsOfEights(const Bytes& bytes) {
+  Longs sums = sameBits<Longs>(bytes);
+  sums = (sums & 0x00ff00ff00ff00ff) + ((sums >> 8) & 0x00ff00ff00ff00ff);
+  sums = (sums & 0x0000ffff0000ffff) + ((sums >> 16) & 0x0000ffff0000ffff);
+  return (sums + (sums >> 32)) & 0xffff;
 }
 
 MIRRORARM_INLINE void store(float* to, const Floats& values) { std::memcpy(to, &values, sizeof values); }

@@ -11,9 +11,9 @@ namespace mirrorarm::vision {
 namespace {
 
 constexpr int kTileRows = 8;            // of blocks: 64 pixels
-constexpr std::size_t kQuantile = 2;    // third darkest of eight
+constexpr int kQuantile = 2;            // third darkest of eight
 constexpr int kAside = 2;               // blocks to the left and right whose median counts
-constexpr double kLeastOfEight = 1.42;  // noises that the darkest of eight pixels lies below their mean
+constexpr float kLeastOfEight = 1.42F;  // noises that the darkest of eight pixels lies below their mean
 
 constexpr int kZone_px = 256;
 constexpr int kSamplesAcross = 24;
@@ -25,68 +25,75 @@ constexpr float kNoisesAbove = 5.0F;
 constexpr float kLeastContrast = 10.0F;
 constexpr float kLeastNoise = 0.5F;
 
-/// Brightest and darkest of up to eight rows, pixel column by pixel column.
+/// Where one row of blocks lies in the image, and where its answers go.
+struct BlockRow {
+  const camera::ImageView& image;
+  int left;
+  int top;
+  int width;
+  int height;
+  std::uint8_t* brightest;
+  std::uint8_t* low;
+};
+
+/// Two blocks of full width from the pixel column `x` of the row on; `first` of them is written and what
+/// follows.
 template <int kFlip>
-MIRRORARM_INLINE void extremes(const camera::ImageView& image, int left, int top, int width, int height,
-                               std::uint8_t* most, std::uint8_t* least) {
+MIRRORARM_INLINE void readPair(const BlockRow& row, int x, int first) {
+  lanes::Bytes high{}, low = lanes::Bytes{} - 1;
+  for (int y = 0; y < row.height; ++y) {
+    lanes::Bytes pixels;
+    std::memcpy(&pixels, row.image.row(row.top + y) + row.left + x, sizeof pixels);
+    pixels ^= static_cast<std::uint8_t>(kFlip);
+    high = pixels > high ? pixels : high;
+    low = pixels < low ? pixels : low;
+  }
+  const lanes::Longs largest = lanes::largestOfEights(high);
+  const lanes::Longs sums = lanes::sumsOfEights(low);
+  for (int i = first; i < 2; ++i) {
+    const int column = x / BlockMap::kWidth_px + i;
+    row.brightest[column] = static_cast<std::uint8_t>(std::max(largest[2 * i], largest[2 * i + 1]));
+    row.low[column] = static_cast<std::uint8_t>((sums[2 * i] + sums[2 * i + 1]) / BlockMap::kWidth_px);
+  }
+}
+
+/// One block, of any width.
+template <int kFlip>
+MIRRORARM_INLINE void readOne(const BlockRow& row, int column) {
+  const int first = column * BlockMap::kWidth_px;
+  const int end = std::min(first + BlockMap::kWidth_px, row.width);
+  std::uint8_t high = 0;
+  int sum = 0;
+  for (int x = first; x < end; ++x) {
+    std::uint8_t low = 255;
+    for (int y = 0; y < row.height; ++y) {
+      const auto pixel = static_cast<std::uint8_t>(row.image.at(row.left + x, row.top + y) ^ kFlip);
+      high = std::max(high, pixel);
+      low = std::min(low, pixel);
+    }
+    sum += low;
+  }
+  row.brightest[column] = high;
+  row.low[column] = static_cast<std::uint8_t>(sum / (end - first));
+}
+
+template <int kFlip>
+MIRRORARM_INLINE void readBlocks(const BlockRow& row) {
+  constexpr int kPair_px = 2 * BlockMap::kWidth_px;
+  static_assert(sizeof(lanes::Bytes) == kPair_px);
   int x = 0;
-  for (constexpr int kStep = sizeof(lanes::Bytes); x + kStep <= width; x += kStep) {
-    lanes::Bytes high{}, low = lanes::Bytes{} - 1;
-    for (int y = 0; y < height; ++y) {
-      lanes::Bytes pixels;
-      std::memcpy(&pixels, image.row(top + y) + left + x, sizeof pixels);
-      pixels ^= static_cast<std::uint8_t>(kFlip);
-      high = pixels > high ? pixels : high;
-      low = pixels < low ? pixels : low;
-    }
-    std::memcpy(most + x, &high, sizeof high);
-    std::memcpy(least + x, &low, sizeof low);
-  }
-  for (; x < width; ++x) {
-    most[x] = 0;
-    least[x] = 255;
-    for (int y = 0; y < height; ++y) {
-      const auto pixel = static_cast<std::uint8_t>(image.at(left + x, top + y) ^ kFlip);
-      most[x] = std::max(most[x], pixel);
-      least[x] = std::min(least[x], pixel);
-    }
-  }
+  for (; x + kPair_px <= row.width; x += kPair_px) readPair<kFlip>(row, x, 0);
+  if (x > 0 && row.width - x == BlockMap::kWidth_px)
+    readPair<kFlip>(row, x - BlockMap::kWidth_px, 1);
+  else
+    for (; x < row.width; x += BlockMap::kWidth_px) readOne<kFlip>(row, x / BlockMap::kWidth_px);
 }
 
-MIRRORARM_VECTOR_CODE void extremesOfBright(const camera::ImageView& image, int left, int top, int width,
-                                            int height, std::uint8_t* most, std::uint8_t* least) {
-  extremes<0>(image, left, top, width, height, most, least);
-}
+MIRRORARM_VECTOR_CODE void readBright(const BlockRow& row) { readBlocks<0>(row); }
+MIRRORARM_VECTOR_CODE void readDark(const BlockRow& row) { readBlocks<255>(row); }
 
-MIRRORARM_VECTOR_CODE void extremesOfDark(const camera::ImageView& image, int left, int top, int width,
-                                          int height, std::uint8_t* most, std::uint8_t* least) {
-  extremes<255>(image, left, top, width, height, most, least);
-}
-
-/// Brightest pixel and mean of the dark ones over each block of one row.
-MIRRORARM_VECTOR_CODE void gather(const std::uint8_t* most, const std::uint8_t* least, int width, int columns,
-                                  std::uint8_t* brightest, std::uint8_t* low) {
-  for (int column = 0; column < columns; ++column) {
-    const int first = column * BlockMap::kWidth_px;
-    const int count = std::min(BlockMap::kWidth_px, width - first);
-    std::uint8_t high = 0;
-    unsigned sum = 0;
-    if (count == BlockMap::kWidth_px) {
-      for (int i = 0; i < BlockMap::kWidth_px; ++i) high = std::max(high, most[first + i]);
-      for (int i = 0; i < BlockMap::kWidth_px; ++i) sum += least[first + i];
-    } else {
-      for (int i = 0; i < count; ++i) high = std::max(high, most[first + i]);
-      for (int i = 0; i < count; ++i) sum += least[first + i];
-    }
-    brightest[column] = high;
-    low[column] = static_cast<std::uint8_t>(sum / static_cast<unsigned>(count));
-  }
-}
-
-template <std::size_t kCount>
-std::uint8_t nthOf(std::array<std::uint8_t, kCount> values, std::size_t nth) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(nth), values.end());
-  return values[nth];
+MIRRORARM_INLINE std::uint8_t medianOfThree(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
 /// Puts the smaller of two rows first, column by column.
@@ -95,6 +102,32 @@ MIRRORARM_VECTOR_CODE void order(std::uint8_t* a, std::uint8_t* b, int columns) 
     const std::uint8_t low = std::min(a[i], b[i]);
     b[i] = std::max(a[i], b[i]);
     a[i] = low;
+  }
+}
+
+/// Median of five neighbours; `from` holds two columns more on each side than `to`.
+MIRRORARM_VECTOR_CODE void medianAlong(const std::uint8_t* from, int columns, std::uint8_t* to) {
+  for (int i = 0; i < columns; ++i) {
+    const std::uint8_t a = from[i], b = from[i + 1], c = from[i + 3], d = from[i + 4];
+    const std::uint8_t low = std::max(std::min(a, b), std::min(c, d));
+    const std::uint8_t high = std::min(std::max(a, b), std::max(c, d));
+    to[i] = medianOfThree(low, from[i + 2], high);
+  }
+}
+
+MIRRORARM_VECTOR_CODE void medianAcross(const std::uint8_t* above, const std::uint8_t* here,
+                                        const std::uint8_t* below, int columns, std::uint8_t* to) {
+  for (int i = 0; i < columns; ++i) to[i] = medianOfThree(above[i], here[i], below[i]);
+}
+
+/// Ground between two rows of tiles, `lift` above them, and the threshold over it.
+MIRRORARM_VECTOR_CODE void setRow(const std::uint8_t* above, const std::uint8_t* below, float share,
+                                  int columns, const float* noise, float* ground, std::uint8_t* threshold) {
+  for (int i = 0; i < columns; ++i) {
+    const float low = static_cast<float>(above[i]);
+    ground[i] = low + share * (static_cast<float>(below[i]) - low) + kLeastOfEight * noise[i];
+    const float wanted = ground[i] + std::max(kLeastContrast, kNoisesAbove * noise[i]);
+    threshold[i] = static_cast<std::uint8_t>(static_cast<int>(std::min(wanted, 255.0F)));
   }
 }
 
@@ -115,66 +148,64 @@ void BlockMap::read(const Brightness& image, const Region& region) {
   low_.resize(blocks);
   ground_.resize(blocks);
   threshold_.resize(blocks);
-  column_most_.resize(static_cast<std::size_t>(region.width()));
-  column_least_.resize(column_most_.size());
   for (int row = 0; row < rows_; ++row) readRow(image, row);
   measureNoise(image);
   findGround();
-  setThresholds();
 }
 
 void BlockMap::readRow(const Brightness& image, int row) {
   const int top = region_.top + row * kHeight_px;
-  const int height = std::min(kHeight_px, region_.bottom + 1 - top);
-  const int width = region_.width();
+  const BlockRow blocks{image.image,
+                        region_.left,
+                        top,
+                        region_.width(),
+                        std::min(kHeight_px, region_.bottom + 1 - top),
+                        &brightest_[at(0, row)],
+                        &low_[at(0, row)]};
   if (image.flip == 0)
-    extremesOfBright(image.image, region_.left, top, width, height, column_most_.data(),
-                     column_least_.data());
+    readBright(blocks);
   else
-    extremesOfDark(image.image, region_.left, top, width, height, column_most_.data(), column_least_.data());
-  gather(column_most_.data(), column_least_.data(), width, columns_, &brightest_[at(0, row)],
-         &low_[at(0, row)]);
+    readDark(blocks);
 }
 
-/// Low quantile over eight blocks one above the other, then the median of neighbours in the row and of tiles
-/// above and below; between the middles of tiles it is interpolated.
+/// Low quantile over eight blocks one above the other.
+void BlockMap::takeQuantile(int tile) {
+  const int first = std::max(std::min(tile * kTileRows, rows_ - kTileRows), 0);
+  for (int i = 0; i < kTileRows; ++i)
+    std::copy_n(&low_[at(0, std::min(first + i, rows_ - 1))], columns_, &sorted_[at(0, i)]);
+  // A selection sort, of which the first passes are enough.
+  for (int i = 0; i <= kQuantile; ++i)
+    for (int j = i + 1; j < kTileRows; ++j) order(&sorted_[at(0, i)], &sorted_[at(0, j)], columns_);
+  const std::uint8_t* quantile = &sorted_[at(0, kQuantile)];
+  std::copy_n(quantile, columns_, &padded_[kAside]);
+  std::fill_n(padded_.begin(), kAside, quantile[0]);
+  std::fill_n(padded_.begin() + kAside + columns_, kAside, quantile[columns_ - 1]);
+  medianAlong(padded_.data(), columns_, &along_[at(0, tile)]);
+}
+
+/// The quantile of each tile, then the median of its neighbours in the row and of the tiles above and below;
+/// between the middles of tiles it is interpolated.
 void BlockMap::findGround() {
   const int tiles = (rows_ + kTileRows - 1) / kTileRows;
-  tile_low_.resize(at(0, tiles));
-  smooth_low_.resize(at(0, kTileRows));
-  for (int tile = 0; tile < tiles; ++tile) {
-    const int first = std::max(std::min(tile * kTileRows, rows_ - kTileRows), 0);
-    for (int i = 0; i < kTileRows; ++i)
-      std::copy_n(&low_[at(0, std::min(first + i, rows_ - 1))], columns_, &smooth_low_[at(0, i)]);
-    // Three passes of a selection sort bring the three darkest to the front.
-    for (std::size_t i = 0; i <= kQuantile; ++i)
-      for (int j = static_cast<int>(i) + 1; j < kTileRows; ++j)
-        order(&smooth_low_[at(0, static_cast<int>(i))], &smooth_low_[at(0, j)], columns_);
-    std::copy_n(&smooth_low_[at(0, static_cast<int>(kQuantile))], columns_, &tile_low_[at(0, tile)]);
-  }
-  smooth_low_.resize(at(0, tiles));
+  sorted_.resize(at(0, kTileRows));
+  padded_.resize(static_cast<std::size_t>(columns_ + 2 * kAside));
+  along_.resize(at(0, tiles));
+  tile_ground_.resize(at(0, tiles));
+  for (int tile = 0; tile < tiles; ++tile) takeQuantile(tile);
   for (int tile = 0; tile < tiles; ++tile)
-    for (int column = 0; column < columns_; ++column) {
-      std::array<std::uint8_t, 2 * kAside + 1> around{};
-      for (int i = -kAside; i <= kAside; ++i)
-        around[static_cast<std::size_t>(i + kAside)] =
-            tile_low_[at(std::clamp(column + i, 0, columns_ - 1), tile)];
-      smooth_low_[at(column, tile)] = nthOf(around, kAside);
-    }
-  for (int tile = 0; tile < tiles; ++tile)
-    for (int column = 0; column < columns_; ++column)
-      tile_low_[at(column, tile)] =
-          nthOf<3>({smooth_low_[at(column, std::max(tile - 1, 0))], smooth_low_[at(column, tile)],
-                    smooth_low_[at(column, std::min(tile + 1, tiles - 1))]},
-                   1);
+    medianAcross(&along_[at(0, std::max(tile - 1, 0))], &along_[at(0, tile)],
+                 &along_[at(0, std::min(tile + 1, tiles - 1))], columns_, &tile_ground_[at(0, tile)]);
+  block_noise_.resize(static_cast<std::size_t>(columns_));
   for (int row = 0; row < rows_; ++row) {
+    if (row % (kZone_px / kHeight_px) == 0)
+      for (int column = 0; column < columns_; ++column)
+        block_noise_[static_cast<std::size_t>(column)] =
+            zone_noise_[zoneAt(region_.left + column * kWidth_px, region_.top + row * kHeight_px)];
     const float along = (static_cast<float>(row) + 0.5F) / kTileRows - 0.5F;
     const int tile = std::clamp(static_cast<int>(std::floor(along)), 0, tiles - 1);
-    const int next = std::min(tile + 1, tiles - 1);
     const float share = std::clamp(along - static_cast<float>(tile), 0.0F, 1.0F);
-    for (int column = 0; column < columns_; ++column)
-      ground_[at(column, row)] = std::lerp(static_cast<float>(tile_low_[at(column, tile)]),
-                                           static_cast<float>(tile_low_[at(column, next)]), share);
+    setRow(&tile_ground_[at(0, tile)], &tile_ground_[at(0, std::min(tile + 1, tiles - 1))], share, columns_,
+           block_noise_.data(), &ground_[at(0, row)], &threshold_[at(0, row)]);
   }
 }
 
@@ -207,18 +238,6 @@ void BlockMap::measureNoise(const Brightness& image) {
     zone_noise_[static_cast<std::size_t>(zone)] =
         std::max(kLeastNoise, static_cast<float>(level / kNoisesAStep));
   }
-}
-
-void BlockMap::setThresholds() {
-  for (int row = 0; row < rows_; ++row)
-    for (int column = 0; column < columns_; ++column) {
-      const float noise =
-          zone_noise_[zoneAt(region_.left + column * kWidth_px, region_.top + row * kHeight_px)];
-      float& ground = ground_[at(column, row)];
-      ground += static_cast<float>(kLeastOfEight) * noise;
-      const float wanted = ground + std::max(kLeastContrast, kNoisesAbove * noise);
-      threshold_[at(column, row)] = static_cast<std::uint8_t>(std::clamp(wanted, 0.0F, 255.0F));
-    }
 }
 
 std::size_t BlockMap::blockAt(double x, double y) const {

@@ -46,21 +46,22 @@ class BlockMap {
   [[nodiscard]] std::size_t blockAt(double x, double y) const;
   [[nodiscard]] std::size_t zoneAt(double x, double y) const;
   void readRow(const Brightness& image, int row);
-  void findGround();
   void measureNoise(const Brightness& image);
-  void setThresholds();
+  void takeQuantile(int tile);
+  void findGround();
 
   Region region_;
   int columns_ = 0;
   int rows_ = 0;
   int zone_columns_ = 0;
   int zone_rows_ = 0;
-  std::vector<std::uint8_t> column_most_;  ///< of one row of blocks, pixel column by pixel column
-  std::vector<std::uint8_t> column_least_;
   std::vector<std::uint8_t> brightest_;
-  std::vector<std::uint8_t> low_;       ///< mean over a block of the darkest of each pixel column
-  std::vector<std::uint8_t> tile_low_;  ///< quantile of low_ over eight blocks, one above the other
-  std::vector<std::uint8_t> smooth_low_;
+  std::vector<std::uint8_t> low_;     ///< mean over a block of the darkest of each pixel column
+  std::vector<std::uint8_t> sorted_;  ///< eight rows of blocks, the darkest first
+  std::vector<std::uint8_t> padded_;
+  std::vector<std::uint8_t> along_;        ///< per tile, smoothed along its row
+  std::vector<std::uint8_t> tile_ground_;  ///< and across
+  std::vector<float> block_noise_;         ///< of one row of blocks
   std::vector<float> ground_;
   std::vector<std::uint8_t> threshold_;
   std::vector<float> zone_noise_;

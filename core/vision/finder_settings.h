@@ -24,7 +24,9 @@ struct FinderSettings {
   double max_diameter_px = 60.0;
   double max_axis_ratio = 4.0;  ///< major to minor axis
   double max_fit_rms_px =
-      0.35;  ///< edge points from the fitted ellipse; less for small discs (the paper's method)
+      0.35;               ///< edge points from the fitted ellipse; less for small discs (the paper's method)
+  double blur_px = 0.75;  ///< usual standard deviation of the lens's blur and a pixel's area together
+  double blur_tolerance_px = 0.1;  ///< of it; discs hardly larger than the blur are told from specks by this
   double outline_tolerance_px = 0.04;         ///< that a real disc's outline may deviate from an ellipse
   double outline_tolerance_of_radius = 0.01;  ///< and more, in shares of its radius
   double light_tolerance = 0.03;     ///< that a disc's light may vary besides noise and ramp, in shares of it
@@ -43,6 +45,8 @@ struct FinderSettings {
   settings.max_diameter_px = 100.0;
   settings.max_axis_ratio = 2.5;
   settings.max_fit_rms_px = 1.0;
+  settings.blur_px = 1.5;
+  settings.blur_tolerance_px = 1.0;
   settings.outline_tolerance_px = 0.2;
   settings.outline_tolerance_of_radius = 0.03;
   settings.light_tolerance = 0.15;

@@ -10,9 +10,8 @@
 namespace mirrorarm::vision {
 namespace {
 
-constexpr double kMargin_px = 3.2;  // of ground around the outline: four blurs
-constexpr int kEight = 8;           // the fit takes pixels by eights
-constexpr double kUsualBlur_px = 0.75;
+constexpr double kMargin_px = 3.2;            // of ground around the outline: four blurs
+constexpr int kEight = 8;                     // the fit takes pixels by eights
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2, of rounding to whole grey values
 constexpr double kShotNoise = 0.04;           // variance a grey level of light: 25 electrons a level
 constexpr double kInsideShare = 0.98;
@@ -20,6 +19,7 @@ constexpr double kMostInsideRatio = 3.0;
 constexpr double kMostBlurOfRadius = 0.5;  // what is softer is a glow
 constexpr double kBlurAllowance_px = 0.8;
 
+constexpr double kLeastOddShare = 0.35;  // of the outline's deviations: a cover lies on one side
 constexpr std::size_t kDirections = 8;
 constexpr std::size_t kPursued = 3;
 constexpr double kCoverGrowth =
@@ -46,23 +46,6 @@ Eigen::Matrix2d unitMapOf(const Eigen::Matrix2d& shape) {
 Eigen::Matrix2d shapeOf(const BlurredDisc& disc) {
   const Eigen::Matrix2d axes = disc.B_per_px.inverse();
   return axes * axes;
-}
-
-/// A disc with the light's moments, freed of the rim that its threshold let through.
-BlurredDisc startOf(const Light& light) {
-  const auto& component = light.component;
-  const double height = std::max(light.height(), 1.0);
-  const double rim_px = kUsualBlur_px * quantile((component.threshold - light.ground) / height);
-  const Eigen::Matrix2d shape = 4.0 * component.moments_px2();
-  const double radius_px = std::pow(shape.determinant(), 0.25);
-  const double share = std::clamp(1.0 - rim_px / radius_px, 0.4, 1.0);
-  BlurredDisc disc;
-  disc.centre_px = light.middle_px();
-  disc.B_per_px = unitMapOf(share * share * shape);
-  disc.blur_px = kUsualBlur_px;
-  disc.ground = light.ground;
-  disc.light = height;
-  return disc;
 }
 
 /// The pixels around a disc that the fit looks at; nothing when the image is too small.
@@ -110,7 +93,7 @@ BlurredDisc coveredFrom(const BlurredDisc& visible, double direction_rad) {
   disc.centre_px += growth_px * towards;
   disc.B_per_px =
       unitMapOf(shape + (2.0 * half_px * growth_px + growth_px * growth_px) * towards * towards.transpose());
-  disc.blur_px = std::min(visible.blur_px, 1.3 * kUsualBlur_px);
+  disc.blur_px = visible.blur_px;
   disc.ramp_per_px.setZero();
   disc.covered = true;
   disc.cover_direction_rad = direction_rad;
@@ -126,7 +109,9 @@ Expected<DetectedMarker, Rejection> LikelihoodEstimator::measure(const Brightnes
   const auto window = windowAround(start, image.frame());
   if (!window) return unexpected(Rejection::kAtBorder);
   const auto fitted = fit_.fit(image, *window, start, sensorNoise(light));
-  if (!fitted || !follows(*fitted, light, image, *window)) return unexpected(Rejection::kCut);
+  if (!fitted) return unexpected(Rejection::kCut);
+  if (!follows(*fitted, light, image, *window))
+    return unexpected(profile_.oddShare() < kLeastOddShare ? Rejection::kNotAnEllipse : Rejection::kCut);
   if (fitted->disc.blur_px > kBlurAllowance_px + kMostBlurOfRadius * std::sqrt(shapeOf(fitted->disc).trace()))
     return unexpected(Rejection::kNotAnEllipse);
   return withinLimits(markerOf(*fitted), settings_);
@@ -142,6 +127,23 @@ Expected<DetectedMarker, Rejection> LikelihoodEstimator::measureCut(const Bright
   if (!fitted || !follows(*fitted, light, image, *window)) return unexpected(Rejection::kNotAnEllipse);
   if (profile_.supported() < kLeastShown) return unexpected(Rejection::kCut);
   return withinLimits(markerOf(*fitted), settings_);
+}
+
+/// A disc with the light's moments, freed of the rim that its threshold let through.
+BlurredDisc LikelihoodEstimator::startOf(const Light& light) const {
+  const auto& component = light.component;
+  const double height = std::max(light.height(), 1.0);
+  const double rim_px = settings_.blur_px * quantile((component.threshold - light.ground) / height);
+  const Eigen::Matrix2d shape = 4.0 * component.moments_px2();
+  const double radius_px = std::pow(shape.determinant(), 0.25);
+  const double share = std::clamp(1.0 - rim_px / radius_px, 0.4, 1.0);
+  BlurredDisc disc;
+  disc.centre_px = light.middle_px();
+  disc.B_per_px = unitMapOf(share * share * shape);
+  disc.blur_px = settings_.blur_px;
+  disc.ground = light.ground;
+  disc.light = height;
+  return disc;
 }
 
 /// Covers from all sides are tried a few steps; the most promising ones to the end, the likeliest is kept.

@@ -13,7 +13,8 @@ namespace mirrorarm::vision {
 /// measureCut() then fits a disc and a straight cover together, from eight directions.
 class LikelihoodEstimator final : public DiscEstimator {
  public:
-  explicit LikelihoodEstimator(const FinderSettings& settings) : settings_(settings) {}
+  explicit LikelihoodEstimator(const FinderSettings& settings)
+      : settings_(settings), fit_(settings.blur_px, settings.blur_tolerance_px) {}
 
   [[nodiscard]] Expected<DetectedMarker, Rejection> measure(const Brightness& image,
                                                             const Light& light) override;
@@ -25,6 +26,7 @@ class LikelihoodEstimator final : public DiscEstimator {
                                                      const Light& light);
   [[nodiscard]] bool follows(const FittedDisc& fitted, const Light& light, const Brightness& image,
                              const Region& window);
+  [[nodiscard]] BlurredDisc startOf(const Light& light) const;
   [[nodiscard]] DetectedMarker markerOf(const FittedDisc& fitted) const;
 
   FinderSettings settings_;

@@ -14,34 +14,17 @@ namespace {
 
 constexpr int kMostSteps = 24;
 constexpr int kFewSteps = 4;
-constexpr double kSettled = 1e-2;  // predicted fall of the sum of squares: a tenth of a sigma
-constexpr double kNear = 0.1;      // the same a pixel: then what is left over is noise
+constexpr double kSettled = 1e-2;    // predicted fall of the sum of squares: a tenth of a sigma
+constexpr double kNear = 0.1;        // the same a pixel: then what is left over is noise
+constexpr double kNearShare = 0.01;  // the same of the sum of squares, for lights that are no discs
 constexpr double kLeastDamping = 1e-3;
 constexpr double kMostDampingAtEnd = 0.1;
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2
 constexpr double kLeastBlur_px = 0.3;
 constexpr double kMostBlur_px = 6.0;
-constexpr double kBlurPrior_px = 0.3;  // weak: tells blur from size where a disc is hardly larger than it
-constexpr double kUsualBlur_px = 0.75;
 constexpr double kRampPrior = 0.1;  // end to end over the disc, in shares of its light
 constexpr double kRampOdds = 0.1;   // of there being one
 constexpr double kMostRamp = 0.8;
-
-/// Weak knowledge from elsewhere, as normal equations: what a usual blur is, and that ramps are bounded. It
-/// keeps discs of a few pixels, which cannot tell all parameters apart, from running away.
-void addPriors(const BlurredDisc& disc, DiscMatrix& matrix, DiscVector& vector) {
-  constexpr double kBlurWeight = 1.0 / (kBlurPrior_px * kBlurPrior_px);
-  matrix(kBlur, kBlur) += kBlurWeight;
-  vector(kBlur) += kBlurWeight * (kUsualBlur_px - disc.blur_px);
-  if (disc.covered) return;
-  const double radius_px = 1.0 / std::sqrt(std::abs(disc.B_per_px.determinant()));
-  const double most = kMostRamp * disc.light / (2.0 * radius_px);
-  const double weight = 1.0 / (most * most + 1e-12);
-  for (int i = 0; i < 2; ++i) {
-    matrix(kExtra1 + i, kExtra1 + i) += weight;
-    vector(kExtra1 + i) -= weight * disc.ramp_per_px(i);
-  }
-}
 
 BlurredDisc moved(const BlurredDisc& disc, const DiscVector& step) {
   BlurredDisc next = disc;
@@ -138,6 +121,22 @@ double LikelihoodFit::approach(const Brightness& image, const Region& window, co
                                                           : std::numeric_limits<double>::infinity();
 }
 
+/// Knowledge from elsewhere: what the lens's blur usually is, and that ramps are bounded. It keeps discs of a
+/// few pixels, which cannot tell all parameters apart, from running away.
+void LikelihoodFit::addPriors(const BlurredDisc& disc, DiscEquations& equations) const {
+  const double excess_px = disc.blur_px - blur_px_;
+  equations.matrix(kBlur, kBlur) += blur_weight_;
+  equations.vector(kBlur) -= blur_weight_ * excess_px;
+  equations.squares += blur_weight_ * excess_px * excess_px;
+  if (disc.covered) return;
+  const double radius_px = 1.0 / std::sqrt(std::abs(disc.B_per_px.determinant()));
+  const double most = kMostRamp * disc.light / (2.0 * radius_px);
+  const double weight = 1.0 / (most * most + 1e-12);
+  equations.matrix.diagonal().segment<2>(kExtra1).array() += weight;
+  equations.vector.segment<2>(kExtra1) -= weight * disc.ramp_per_px;
+  equations.squares += weight * disc.ramp_per_px.squaredNorm();
+}
+
 bool LikelihoodFit::descend(const Brightness& image, const Region& window, const Descent& how,
                             BlurredDisc& disc) {
   BlurredDisc trial = disc;
@@ -150,7 +149,7 @@ bool LikelihoodFit::descend(const Brightness& image, const Region& window, const
     const bool valid = isADisc(trial, window);
     if (valid) {
       normalEquations(trial, noise_, image, window, at_trial);
-      addPriors(trial, at_trial.matrix, at_trial.vector);
+      addPriors(trial, at_trial);
     }
     if (valid && (!comparable || at_trial.squares <= squares_)) {
       squares_ = at_trial.squares;
@@ -172,7 +171,7 @@ bool LikelihoodFit::descend(const Brightness& image, const Region& window, const
       disc = trial;
       return true;
     }
-    if (!noise_known && fall < kNear * equations_.pixels) {
+    if (!noise_known && fall < std::max(kNear * equations_.pixels, kNearShare * squares_)) {
       noise_ = learnt(equations_);
       noise_known = true;
       comparable = false;

@@ -23,6 +23,10 @@ struct FittedDisc {
 /// averaging, prior of a ramp as in kRampPrior). One thread.
 class LikelihoodFit {
  public:
+  /// What is known of the lens's blur before: `blur_px` give or take `blur_tolerance_px`.
+  LikelihoodFit(double blur_px, double blur_tolerance_px)
+      : blur_px_(blur_px), blur_weight_(1.0 / (blur_tolerance_px * blur_tolerance_px)) {}
+
   /// From `start` and what the sensor's noise may be. Nothing when the steps do not settle on a disc.
   [[nodiscard]] std::optional<FittedDisc> fit(const Brightness& image, const Region& window,
                                               const BlurredDisc& start, const PixelNoise& noise);
@@ -38,6 +42,10 @@ class LikelihoodFit {
   };
   bool descend(const Brightness& image, const Region& window, const Descent& how, BlurredDisc& disc);
 
+  void addPriors(const BlurredDisc& disc, DiscEquations& equations) const;
+
+  double blur_px_;
+  double blur_weight_;
   PixelNoise noise_;
   DiscEquations equations_;
   double squares_ = 0.0;

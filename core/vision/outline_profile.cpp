@@ -79,6 +79,16 @@ double OutlineProfile::insideVariance(double share) const {
   return count > 0 ? sum / count : 0.0;
 }
 
+double OutlineProfile::oddShare() const {
+  double odd = 0.0, all = 0.0;
+  for (int k = 0, half = count_ / 2; k < half; ++k) {
+    const double one = displacement_px(k), other = displacement_px(k + half);
+    odd += 0.5 * (one - other) * (one - other);
+    all += one * one + other * other;
+  }
+  return all > 0.0 ? odd / all : 0.0;
+}
+
 void OutlineProfile::judge(const BlurredDisc& disc, double tolerance_px) {
   const Eigen::Matrix2d axes = disc.B_per_px.inverse();
   const double allowed = tolerance_px * tolerance_px;

@@ -23,6 +23,9 @@ class OutlineProfile {
   [[nodiscard]] double misfit() const { return misfit_; }
   /// Share of the outline that the image supports: sectors in place, not covered.
   [[nodiscard]] double supported() const { return supported_; }
+  /// Share of the squared displacements that changes its sign from one side to the other: near 0 for what
+  /// looks the same when turned by half, as rectangles and strips do, more where one side is covered.
+  [[nodiscard]] double oddShare() const;
   /// Root mean square of the displacements [px].
   [[nodiscard]] double rms_px() const { return rms_px_; }
 
