@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <utility>
+#include <span>
 
 #include <Eigen/LU>
 
@@ -21,7 +22,10 @@ constexpr double kBlurAllowance_px = 0.8;
 
 constexpr double kLeastOddShare = 0.35;  // of the outline's deviations: a cover lies on one side
 constexpr std::size_t kDirections = 8;
-constexpr std::size_t kPursued = 3;
+constexpr std::array<double, 2> kGrowths{
+    0.2, 0.6};  // of the visible part to the whole: a shallow cover, a deep one
+constexpr std::size_t kPursued = 4;
+constexpr double kSameDirection_rad = 0.2;
 constexpr double kCoverGrowth =
     0.35;                            // of the radius: how much larger the whole disc is taken to be at first
 constexpr double kLeastShown = 0.5;  // of the outline, below which the disc is a guess
@@ -84,11 +88,11 @@ Eigen::Matrix3d shapeCovariance(const BlurredDisc& disc, const Eigen::Matrix3d& 
 
 /// The disc that a visible part, fitted as if it were whole, may belong to when something covers it from
 /// `direction_rad` on.
-BlurredDisc coveredFrom(const BlurredDisc& visible, double direction_rad) {
+BlurredDisc coveredFrom(const BlurredDisc& visible, double direction_rad, double growth) {
   const Eigen::Vector2d towards(std::cos(direction_rad), std::sin(direction_rad));
   const Eigen::Matrix2d shape = shapeOf(visible);
   const double half_px = std::sqrt(towards.dot(shape * towards));
-  const double growth_px = 0.5 * kCoverGrowth * half_px;
+  const double growth_px = 0.5 * growth * half_px;
   BlurredDisc disc = visible;
   disc.centre_px += growth_px * towards;
   disc.B_per_px =
@@ -99,6 +103,19 @@ BlurredDisc coveredFrom(const BlurredDisc& visible, double direction_rad) {
   disc.cover_direction_rad = direction_rad;
   disc.cover_offset_px = half_px - growth_px;
   return disc;
+}
+
+/// A beginning and how far it has come.
+struct CoverTry {
+  double squares = 0.0;
+  BlurredDisc disc;
+};
+
+/// True when both lead to the same cover.
+bool alike(const CoverTry& a, const CoverTry& b) {
+  const double turn = a.disc.cover_direction_rad - b.disc.cover_direction_rad;
+  return std::cos(turn) > std::cos(kSameDirection_rad) &&
+         std::abs(a.disc.cover_offset_px - b.disc.cover_offset_px) < 0.5;
 }
 
 }  // namespace
@@ -120,10 +137,9 @@ Expected<DetectedMarker, Rejection> LikelihoodEstimator::measure(const Brightnes
 Expected<DetectedMarker, Rejection> LikelihoodEstimator::measureCut(const Brightness& image,
                                                                     const Light& light) {
   const BlurredDisc start = startOf(light);
-  const auto window = windowAround(coveredFrom(start, 0.0), image.frame());
+  const auto window = windowAround(start, image.frame());
   if (!window) return unexpected(Rejection::kAtBorder);
-  const Region wide = intersection(grown(*window, 2), image.frame());
-  const auto fitted = fitCovered(image, windowAround(start, wide).value_or(*window), light);
+  const auto fitted = fitCovered(image, *window, light);
   if (!fitted || !follows(*fitted, light, image, *window)) return unexpected(Rejection::kNotAnEllipse);
   if (profile_.supported() < kLeastShown) return unexpected(Rejection::kCut);
   return withinLimits(markerOf(*fitted), settings_);
@@ -146,22 +162,31 @@ BlurredDisc LikelihoodEstimator::startOf(const Light& light) const {
   return disc;
 }
 
-/// Covers from all sides are tried a few steps; the most promising ones to the end, the likeliest is kept.
+/// Shallow and deep covers from all sides are tried a few steps; the most promising ones are followed to the
+/// end, and the likeliest is kept.
 std::optional<FittedDisc> LikelihoodEstimator::fitCovered(const Brightness& image, const Region& window,
                                                           const Light& light) {
-  const BlurredDisc start = startOf(light);
   const PixelNoise noise = sensorNoise(light);
-  std::array<std::pair<double, BlurredDisc>, kDirections> tries;
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    auto& [squares, disc] = tries[i];
-    disc = coveredFrom(start, 2.0 * std::numbers::pi * static_cast<double>(i) / kDirections);
-    squares = fit_.approach(image, window, noise, disc);
+  BlurredDisc visible = startOf(light);
+  fit_.approach(image, window, noise, visible);
+  std::array<CoverTry, kDirections * kGrowths.size()> tries;
+  for (std::size_t i = 0; i < tries.size(); ++i) {
+    const double direction_rad = 2.0 * std::numbers::pi * static_cast<double>(i % kDirections) / kDirections;
+    tries[i].disc = coveredFrom(visible, direction_rad, kGrowths[i / kDirections]);
+    tries[i].squares = fit_.approach(image, window, noise, tries[i].disc);
   }
-  std::sort(tries.begin(), tries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(tries.begin(), tries.end(),
+            [](const CoverTry& a, const CoverTry& b) { return a.squares < b.squares; });
   std::optional<FittedDisc> best;
   double best_squares = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kPursued && std::isfinite(tries[i].first); ++i) {
-    const auto fitted = fit_.fit(image, window, tries[i].second, noise);
+  std::size_t pursued = 0;
+  for (std::size_t i = 0; i < tries.size() && pursued < kPursued && std::isfinite(tries[i].squares); ++i) {
+    const auto before = std::span(tries).first(i);
+    if (std::any_of(before.begin(), before.end(),
+                    [&](const CoverTry& other) { return alike(other, tries[i]); }))
+      continue;
+    ++pursued;
+    const auto fitted = fit_.fit(image, window, tries[i].disc, noise);
     if (!fitted) continue;
     BlurredDisc settled = fitted->disc;
     const double squares = fit_.approach(image, window, noise, settled);
@@ -177,8 +202,9 @@ bool LikelihoodEstimator::follows(const FittedDisc& fitted, const Light& light, 
                                   const Region& window) {
   const PixelNoise noise = sensorNoise(light);
   const double radius_px = 1.0 / std::sqrt(fitted.disc.B_per_px.determinant());
-  profile_.measure(fitted.disc, noise, image, window,
-                   settings_.outline_tolerance_px + settings_.outline_tolerance_of_radius * radius_px);
+  profile_.measure(
+      fitted.disc, noise, image, window,
+      std::hypot(settings_.outline_tolerance_px, settings_.outline_tolerance_of_radius * radius_px));
   if (profile_.misfit() > 1.0) return false;
   const double texture = settings_.light_tolerance * fitted.disc.light;
   return profile_.insideVariance(kInsideShare) <
