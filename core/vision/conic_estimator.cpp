@@ -13,8 +13,9 @@ namespace {
 constexpr int kMargin_px = 2;
 constexpr double kLeastGradient = 0.04;  // of the light a pixel
 constexpr double kGradientNoises = 2.0;
-constexpr double kSharedPixels = 3.0;   // gradients of neighbours share their noise
-constexpr double kMostResidual = 0.08;  // of the radius, that lines may miss the conic by
+constexpr double kOverBound = 1.6 * 1.6;      // variance over the Cramer-Rao bound, as measured
+constexpr double kQuantisation = 1.0 / 12.0;  // grey^2
+constexpr double kMostResidual = 0.08;        // of the radius, that lines may miss the conic by
 
 /// Gradient by Sobel's operator [grey/px].
 Eigen::Vector2d gradientAt(const Brightness& image, int x, int y) {
@@ -36,8 +37,15 @@ struct LineSums {
   double squares = 0.0;
   double weight = 0.0;
   int lines = 0;
+  /// What the same gradients know, in units of the image's noise, of moving the disc and of stretching it
+  /// (xx, xy, yy): Fisher's information.
+  Matrix5 information = Matrix5::Zero();
 
   void add(const Eigen::Vector2d& gradient, const Eigen::Vector2d& p) {
+    Vector5 motion;
+    motion << gradient, gradient.x() * p.x(), gradient.x() * p.y() + gradient.y() * p.x(),
+        gradient.y() * p.y();
+    information += motion * motion.transpose();
     const double c = -gradient.dot(p);
     Vector5 row;
     row << gradient.x() * gradient.x(), gradient.x() * gradient.y(), gradient.y() * gradient.y(),
@@ -64,6 +72,32 @@ LineSums linesAround(const Brightness& image, const Light& light, double scale_p
   return sums;
 }
 
+/// Covariance of a shape's (xx, xy, yy) from that of a small stretch E of the plane: Q becomes Q + EQ + QE.
+Eigen::Matrix3d shapeCovariance(const Eigen::Matrix2d& shape, const Eigen::Matrix3d& of_stretch) {
+  Eigen::Matrix3d J;
+  const Eigen::Matrix2d bases[] = {(Eigen::Matrix2d() << 1.0, 0.0, 0.0, 0.0).finished(),
+                                   (Eigen::Matrix2d() << 0.0, 1.0, 1.0, 0.0).finished(),
+                                   (Eigen::Matrix2d() << 0.0, 0.0, 0.0, 1.0).finished()};
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Matrix2d change = bases[k] * shape + shape * bases[k];
+    J.col(k) << change(0, 0), change(0, 1), change(1, 1);
+  }
+  return J * of_stretch * J.transpose();
+}
+
+/// Fills in how certain centre and shape are; false when the gradients do not tell.
+bool setCertainty(const LineSums& sums, const Light& light, double scale_px, DetectedMarker& marker) {
+  SmallCholesky<5> factor;
+  if (!factor.factorise(sums.information)) return false;
+  const double variance =
+      kOverBound * (light.noise * light.noise + kQuantisation) / (light.height() * light.height());
+  const Matrix5 covariance = variance * factor.inverse();
+  marker.covariance_px2 = covariance.topLeftCorner<2, 2>();
+  marker.shape_covariance_px4 =
+      shapeCovariance(shapeOf(marker.ellipse), covariance.bottomRightCorner<3, 3>() / (scale_px * scale_px));
+  return true;
+}
+
 }  // namespace
 
 Expected<DetectedMarker, Rejection> ConicEstimator::measure(const Brightness& image, const Light& light) {
@@ -79,19 +113,13 @@ Expected<DetectedMarker, Rejection> ConicEstimator::measure(const Brightness& im
   if (!shape.allFinite() || !(shape(0, 0) > 0.0) || !(shape.determinant() > 0.0))
     return unexpected(Rejection::kNotAnEllipse);
 
-  const double left_over = std::max(sums.squares - conic.dot(sums.vector), 0.0);
-  const double variance = kSharedPixels * left_over / (sums.lines - 5);
-  const Matrix5 covariance = variance * factor.inverse();
   DetectedMarker marker;
   marker.centre_px = light.middle_px() + scale_px * centre;
   marker.ellipse = ellipseOf(marker.centre_px, scale_px * scale_px * shape);
-  marker.covariance_px2 = 0.25 * scale_px * scale_px * covariance.block<2, 2>(3, 3);
-  const double halves[] = {1.0, 0.5, 1.0};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      marker.shape_covariance_px4(i, j) = std::pow(scale_px, 4) * halves[i] * halves[j] * covariance(i, j);
+  if (!setCertainty(sums, light, scale_px, marker)) return unexpected(Rejection::kNotAnEllipse);
   marker.outline_fraction = 1.0;
   // A line that touches the unit circle and is moved by e changes l^T C l by 2 e.
+  const double left_over = std::max(sums.squares - conic.dot(sums.vector), 0.0);
   const double miss = 0.5 * std::sqrt(left_over / std::max(sums.weight, 1e-12));
   const double tolerance = settings_.outline_tolerance_px / scale_px + settings_.outline_tolerance_of_radius;
   if (!(miss < kMostResidual + 2.0 * tolerance)) return unexpected(Rejection::kNotAnEllipse);

@@ -37,7 +37,8 @@ struct DetectedMarker {
   bool cut = false;               ///< something covers a part: fitted to the free outline, and less certain
 };
 
-/// Why a light is not a marker.
+/// Why a light is not a marker. kCut: a disc's outline but for one side, and what is left does not tell the
+/// whole.
 enum class Rejection { kTooSmall, kTooLarge, kTooElongated, kNotAnEllipse, kAtBorder, kSaturated, kCut };
 inline constexpr std::size_t kRejectionCount = 7;
 

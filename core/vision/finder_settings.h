@@ -22,7 +22,7 @@ struct FinderSettings {
   CentreMethod method = CentreMethod::kMaximumLikelihood;
   double min_diameter_px = 3.0;  ///< of the disc itself, without the blur
   double max_diameter_px = 60.0;
-  double max_axis_ratio = 4.0;  ///< major to minor axis
+  double max_axis_ratio = 2.6;  ///< major to minor axis; film sends no light back when seen flatter
   double max_fit_rms_px =
       0.35;               ///< edge points from the fitted ellipse; less for small discs (the paper's method)
   double blur_px = 0.75;  ///< usual standard deviation of the lens's blur and a pixel's area together

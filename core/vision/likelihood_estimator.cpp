@@ -140,8 +140,8 @@ Expected<DetectedMarker, Rejection> LikelihoodEstimator::measureCut(const Bright
   const auto window = windowAround(start, image.frame());
   if (!window) return unexpected(Rejection::kAtBorder);
   const auto fitted = fitCovered(image, *window, light);
-  if (!fitted || !follows(*fitted, light, image, *window)) return unexpected(Rejection::kNotAnEllipse);
-  if (profile_.supported() < kLeastShown) return unexpected(Rejection::kCut);
+  if (!fitted || !follows(*fitted, light, image, *window) || profile_.supported() < kLeastShown)
+    return unexpected(Rejection::kCut);
   return withinLimits(markerOf(*fitted), settings_);
 }
 
@@ -187,7 +187,7 @@ std::optional<FittedDisc> LikelihoodEstimator::fitCovered(const Brightness& imag
       continue;
     ++pursued;
     const auto fitted = fit_.fit(image, window, tries[i].disc, noise);
-    if (!fitted) continue;
+    if (!fitted || !fitted->settled) continue;
     BlurredDisc settled = fitted->disc;
     const double squares = fit_.approach(image, window, noise, settled);
     if (squares >= best_squares) continue;
@@ -205,7 +205,7 @@ bool LikelihoodEstimator::follows(const FittedDisc& fitted, const Light& light, 
   profile_.measure(
       fitted.disc, noise, image, window,
       std::hypot(settings_.outline_tolerance_px, settings_.outline_tolerance_of_radius * radius_px));
-  if (profile_.misfit() > 1.0) return false;
+  if (!fitted.settled || profile_.misfit() > 1.0) return false;
   const double texture = settings_.light_tolerance * fitted.disc.light;
   return profile_.insideVariance(kInsideShare) <
          kMostInsideRatio * (noise.dark + noise.lit + texture * texture);

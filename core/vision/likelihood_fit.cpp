@@ -17,13 +17,16 @@ constexpr int kFewSteps = 4;
 constexpr double kSettled = 1e-2;    // predicted fall of the sum of squares: a tenth of a sigma
 constexpr double kNear = 0.1;        // the same a pixel: then what is left over is noise
 constexpr double kNearShare = 0.01;  // the same of the sum of squares, for lights that are no discs
+constexpr double kHopeless =
+    25.0;  // times the sensor's variance: no disc, whose exact place matters to nobody
+constexpr double kSettledShare = 1e-3;  // of the sum of squares
 constexpr double kLeastDamping = 1e-3;
 constexpr double kMostDampingAtEnd = 0.1;
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2
 constexpr double kLeastBlur_px = 0.3;
 constexpr double kMostBlur_px = 6.0;
 constexpr double kRampPrior = 0.1;  // end to end over the disc, in shares of its light
-constexpr double kRampOdds = 0.1;   // of there being one
+constexpr double kRampOdds = 0.02;  // of there being one that matters
 constexpr double kMostRamp = 0.8;
 
 BlurredDisc moved(const BlurredDisc& disc, const DiscVector& step) {
@@ -103,11 +106,11 @@ std::optional<FittedDisc> LikelihoodFit::fit(const Brightness& image, const Regi
   noise_ = noise;
   FittedDisc fitted;
   fitted.disc = start;
-  if (!descend(image, window, {kMostSteps, true}, fitted.disc)) return std::nullopt;
+  fitted.settled = descend(image, window, {kMostSteps, true}, fitted.disc);
   SmallCholesky<kDiscParameters> factor;
   if (!factor.factorise(equations_.matrix)) return std::nullopt;
   fitted.covariance = factor.inverse();
-  if (!fitted.covariance.allFinite()) return std::nullopt;
+  if (!fitted.covariance.allFinite() || !isADisc(fitted.disc, window)) return std::nullopt;
   fitted.centre_px = fitted.disc.centre_px;
   fitted.centre_covariance_px2 = fitted.covariance.block<2, 2>(kCentreX, kCentreX);
   if (!fitted.disc.covered) averageOverRamp(fitted.disc, fitted.covariance, fitted);
@@ -141,10 +144,12 @@ bool LikelihoodFit::descend(const Brightness& image, const Region& window, const
                             BlurredDisc& disc) {
   BlurredDisc trial = disc;
   DiscEquations at_trial;
+  equations_.matrix.setZero();
   SmallCholesky<kDiscParameters> factor;
   double damping = 0.0;
   bool comparable = false;  // sums of squares, which hang on the noise
   bool noise_known = !how.learn_noise;
+  double enough = kSettled;
   for (int step = 0; step < how.most_steps; ++step) {
     const bool valid = isADisc(trial, window);
     if (valid) {
@@ -167,12 +172,13 @@ bool LikelihoodFit::descend(const Brightness& image, const Region& window, const
     const double fall = change.dot(equations_.vector);
     trial = moved(disc, change);
     if (damping > kMostDampingAtEnd) continue;
-    if (noise_known && fall < kSettled && isADisc(trial, window)) {
+    if (noise_known && fall < enough && isADisc(trial, window)) {
       disc = trial;
       return true;
     }
     if (!noise_known && fall < std::max(kNear * equations_.pixels, kNearShare * squares_)) {
-      noise_ = learnt(equations_);
+      const PixelNoise given = std::exchange(noise_, learnt(equations_));
+      if (noise_.dark + noise_.lit > kHopeless * (given.dark + given.lit)) enough = kSettledShare * squares_;
       noise_known = true;
       comparable = false;
     }

@@ -9,6 +9,7 @@ namespace mirrorarm::vision {
 /// A disc fitted to its pixels.
 struct FittedDisc {
   BlurredDisc disc;
+  bool settled = true;  ///< false: the best of many steps, of which the last still went downhill
   DiscMatrix covariance = DiscMatrix::Zero();           ///< of the parameters, in the order of DiscParameter
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();  ///< averaged over "a ramp" and "no ramp"
   Eigen::Matrix2d centre_covariance_px2 = Eigen::Matrix2d::Zero();
@@ -27,7 +28,7 @@ class LikelihoodFit {
   LikelihoodFit(double blur_px, double blur_tolerance_px)
       : blur_px_(blur_px), blur_weight_(1.0 / (blur_tolerance_px * blur_tolerance_px)) {}
 
-  /// From `start` and what the sensor's noise may be. Nothing when the steps do not settle on a disc.
+  /// From `start` and what the sensor's noise may be. Nothing when the steps do not lead to a disc.
   [[nodiscard]] std::optional<FittedDisc> fit(const Brightness& image, const Region& window,
                                               const BlurredDisc& start, const PixelNoise& noise);
 

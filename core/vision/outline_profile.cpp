@@ -9,8 +9,8 @@
 namespace mirrorarm::vision {
 namespace {
 
-constexpr double kSectorLength_px = 2.0;
-constexpr int kFewestSectors = 8;
+constexpr double kSectorLength_px = 1.3;
+constexpr int kFewestSectors = 12;
 constexpr double kLeastSlope = 0.02;  // of the light a blur: what is farther from the rim says nothing of it
 constexpr double kUncertain = 3.0;
 constexpr double kSigmas = 5.0;
