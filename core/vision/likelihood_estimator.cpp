@@ -11,7 +11,8 @@
 namespace mirrorarm::vision {
 namespace {
 
-constexpr double kMargin_px = 3.2;            // of ground around the outline: four blurs
+constexpr double kMargin_px = 2.6;            // of ground above and below the outline: three and a half blurs
+constexpr double kLeastMargin_px = 2.2;       // to its sides, where the width is a multiple of eight
 constexpr int kEight = 8;                     // the fit takes pixels by eights
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2, of rounding to whole grey values
 constexpr double kShotNoise = 0.04;           // variance a grey level of light: 25 electrons a level
@@ -54,16 +55,16 @@ Eigen::Matrix2d shapeOf(const BlurredDisc& disc) {
 
 /// The pixels around a disc that the fit looks at; nothing when the image is too small.
 std::optional<Region> windowAround(const BlurredDisc& disc, const Region& frame) {
-  const Eigen::Vector2d half = shapeOf(disc).diagonal().cwiseSqrt().array() + kMargin_px;
+  const Eigen::Vector2d half = shapeOf(disc).diagonal().cwiseSqrt();
   const auto& c = disc.centre_px;
-  const Region wanted{
-      static_cast<int>(std::floor(c.x() - half.x())), static_cast<int>(std::floor(c.y() - half.y())),
-      static_cast<int>(std::ceil(c.x() + half.x())), static_cast<int>(std::ceil(c.y() + half.y()))};
-  Region window = intersection(wanted, frame);
-  const int width = (window.width() + kEight - 1) / kEight * kEight;
-  if (window.empty() || width > frame.width()) return std::nullopt;
-  window.right = window.left + width - 1;
-  if (window.right > frame.right) window = {frame.right + 1 - width, window.top, frame.right, window.bottom};
+  const int width = static_cast<int>(std::ceil(2.0 * (half.x() + kLeastMargin_px) / kEight)) * kEight;
+  if (!half.allFinite() || width > frame.width()) return std::nullopt;
+  const int left = std::clamp(static_cast<int>(std::lround(c.x() - 0.5 * (width - 1))), frame.left,
+                              frame.right + 1 - width);
+  const Region window{left, std::max(static_cast<int>(std::floor(c.y() - half.y() - kMargin_px)), frame.top),
+                      left + width - 1,
+                      std::min(static_cast<int>(std::ceil(c.y() + half.y() + kMargin_px)), frame.bottom)};
+  if (window.empty()) return std::nullopt;
   return window;
 }
 
