@@ -21,7 +21,8 @@ constexpr double kMostInsideRatio = 3.0;
 constexpr double kMostBlurOfRadius = 0.5;  // what is softer is a glow
 constexpr double kBlurAllowance_px = 0.8;
 
-constexpr double kLeastOddShare = 0.35;  // of the outline's deviations: a cover lies on one side
+constexpr double kLeastOddShare = 0.35;    // of the outline's deviations: a cover lies on one side
+constexpr double kLeastRadiusOfCut = 4.0;  // blurs: in less light a cover cannot be told from another shape
 constexpr std::size_t kDirections = 8;
 constexpr std::array<double, 2> kGrowths{
     0.2, 0.6};  // of the visible part to the whole: a shallow cover, a deep one
@@ -70,6 +71,12 @@ std::optional<Region> windowAround(const BlurredDisc& disc, const Region& frame)
 
 PixelNoise sensorNoise(const Light& light) {
   return {light.noise * light.noise + kQuantisation, kShotNoise * std::max(light.height(), 0.0)};
+}
+
+/// The smaller eigenvalue of a symmetric matrix.
+double smallestOf(const Eigen::Matrix2d& matrix) {
+  const double half = 0.5 * matrix.trace();
+  return half - std::sqrt(std::max(half * half - matrix.determinant(), 0.0));
 }
 
 /// Covariance of (xx, xy, yy) of the shape Q = B^-2 from that of B.
@@ -130,6 +137,7 @@ Expected<DetectedMarker, Rejection> LikelihoodEstimator::measure(const Brightnes
   if (!fitted) return unexpected(Rejection::kCut);
   if (!follows(*fitted, light, image, *window))
     return unexpected(profile_.oddShare() < kLeastOddShare ? Rejection::kNotAnEllipse : Rejection::kCut);
+  if (isSpeck(fitted->disc, light)) return unexpected(Rejection::kTooSmall);
   if (fitted->disc.blur_px > kBlurAllowance_px + kMostBlurOfRadius * std::sqrt(shapeOf(fitted->disc).trace()))
     return unexpected(Rejection::kNotAnEllipse);
   return withinLimits(markerOf(*fitted), settings_);
@@ -142,6 +150,8 @@ Expected<DetectedMarker, Rejection> LikelihoodEstimator::measureCut(const Bright
   if (!window) return unexpected(Rejection::kAtBorder);
   const auto fitted = fitCovered(image, *window, light);
   if (!fitted || !follows(*fitted, light, image, *window) || profile_.supported() < kLeastShown)
+    return unexpected(Rejection::kCut);
+  if (smallestOf(shapeOf(fitted->disc)) < std::pow(kLeastRadiusOfCut * settings_.blur_px, 2))
     return unexpected(Rejection::kCut);
   return withinLimits(markerOf(*fitted), settings_);
 }
@@ -210,6 +220,16 @@ bool LikelihoodEstimator::follows(const FittedDisc& fitted, const Light& light, 
   const double texture = settings_.light_tolerance * fitted.disc.light;
   return profile_.insideVariance(kInsideShare) <
          kMostInsideRatio * (noise.dark + noise.lit + texture * texture);
+}
+
+/// A light hardly larger than the blur looks the same whatever made it, and its size and blur cannot be told
+/// apart; but all its light over its peak is an area, and that is less than the least disc's.
+bool LikelihoodEstimator::isSpeck(const BlurredDisc& disc, const Light& light) const {
+  const double radius_px = 0.5 * settings_.min_diameter_px;
+  const double sharpness = radius_px / settings_.blur_px;
+  const double least_area_px2 =
+      std::numbers::pi * radius_px * radius_px / (1.0 - std::exp(-0.5 * sharpness * sharpness));
+  return std::numbers::pi * disc.light / disc.B_per_px.determinant() < least_area_px2 * light.height();
 }
 
 DetectedMarker LikelihoodEstimator::markerOf(const FittedDisc& fitted) const {

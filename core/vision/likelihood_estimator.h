@@ -26,6 +26,7 @@ class LikelihoodEstimator final : public DiscEstimator {
                                                      const Light& light);
   [[nodiscard]] bool follows(const FittedDisc& fitted, const Light& light, const Brightness& image,
                              const Region& window);
+  [[nodiscard]] bool isSpeck(const BlurredDisc& disc, const Light& light) const;
   [[nodiscard]] BlurredDisc startOf(const Light& light) const;
   [[nodiscard]] DetectedMarker markerOf(const FittedDisc& fitted) const;
 

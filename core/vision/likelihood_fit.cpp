@@ -14,12 +14,13 @@ namespace {
 
 constexpr int kMostSteps = 24;
 constexpr int kFewSteps = 4;
-constexpr double kSettled = 1e-2;    // predicted fall of the sum of squares: a tenth of a sigma
-constexpr double kNear = 0.1;        // the same a pixel: then what is left over is noise
-constexpr double kNearShare = 0.01;  // the same of the sum of squares, for lights that are no discs
+constexpr double kSettled = 0.1;  // predicted fall of the sum of squares: a third of a sigma, before the step
+constexpr double kNear = 0.2;     // the same a pixel: then most of what is left over is noise
+constexpr double kNearShare = 0.05;  // the same of the sum of squares, for lights that are no discs
 constexpr double kHopeless =
     25.0;  // times the sensor's variance: no disc, whose exact place matters to nobody
 constexpr double kSettledShare = 1e-3;  // of the sum of squares
+constexpr double kStudent = 6.0;        // twice three: of n / 3 degrees of freedom
 constexpr double kLeastDamping = 1e-3;
 constexpr double kMostDampingAtEnd = 0.1;
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2
@@ -109,12 +110,21 @@ std::optional<FittedDisc> LikelihoodFit::fit(const Brightness& image, const Regi
   fitted.settled = descend(image, window, {kMostSteps, true}, fitted.disc);
   SmallCholesky<kDiscParameters> factor;
   if (!factor.factorise(equations_.matrix)) return std::nullopt;
-  fitted.covariance = factor.inverse();
+  fitted.covariance = certaintyOfNoise() * factor.inverse();
   if (!fitted.covariance.allFinite() || !isADisc(fitted.disc, window)) return std::nullopt;
   fitted.centre_px = fitted.disc.centre_px;
   fitted.centre_covariance_px2 = fitted.covariance.block<2, 2>(kCentreX, kCentreX);
   if (!fitted.disc.covered) averageOverRamp(fitted.disc, fitted.covariance, fitted);
   return fitted;
+}
+
+/// Factor from the covariance under the weights to the honest one: the weights were learnt one step earlier,
+/// and the noise that acts on the rim is known from a third of the pixels only, which widens the distribution
+/// as Student's does.
+double LikelihoodFit::certaintyOfNoise() const {
+  const PixelNoise found = learnt(equations_);
+  const double widening = equations_.pixels / std::max(equations_.pixels - kStudent, 1.0);
+  return widening * (found.dark + 0.5 * found.lit) / (noise_.dark + 0.5 * noise_.lit);
 }
 
 double LikelihoodFit::approach(const Brightness& image, const Region& window, const PixelNoise& noise,

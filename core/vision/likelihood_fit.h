@@ -43,6 +43,7 @@ class LikelihoodFit {
   };
   bool descend(const Brightness& image, const Region& window, const Descent& how, BlurredDisc& disc);
 
+  [[nodiscard]] double certaintyOfNoise() const;
   void addPriors(const BlurredDisc& disc, DiscEquations& equations) const;
 
   double blur_px_;
