@@ -57,7 +57,7 @@ class BlockMap {
   int zone_rows_ = 0;
   std::vector<std::uint8_t> brightest_;
   std::vector<std::uint8_t> low_;     ///< mean over a block of the darkest of each pixel column
-  std::vector<std::uint8_t> sorted_;  ///< eight rows of blocks, the darkest first
+  std::vector<std::uint8_t> sorted_;  ///< the rows of blocks of a tile, the darkest first
   std::vector<std::uint8_t> padded_;
   std::vector<std::uint8_t> along_;        ///< per tile, smoothed along its row
   std::vector<std::uint8_t> tile_ground_;  ///< and across

@@ -20,7 +20,7 @@ enum class CentreMethod : std::uint8_t {
 /// px.
 struct FinderSettings {
   CentreMethod method = CentreMethod::kMaximumLikelihood;
-  double min_diameter_px = 3.0;  ///< of the disc itself, without the blur
+  double min_diameter_px = 3.4;  ///< of the disc itself, without the blur
   double max_diameter_px = 60.0;
   double max_axis_ratio = 2.6;  ///< major to minor axis; film sends no light back when seen flatter
   double max_fit_rms_px =
@@ -34,7 +34,7 @@ struct FinderSettings {
   double min_outline_fraction = 0.5;  ///< share of the outline that the image must support
   double edge_sigma_px = 1.0;   ///< scale of the paper's edges; twice that for discs beyond 14 times as much
   bool dark_on_bright = false;  ///< calibration plates: dark dots on bright ground
-  double min_size_of_median = 0.0;  ///< plates: dirt is smaller than the dots, which are alike
+  double min_size_of_neighbours = 0.0;  ///< plates: dirt is smaller than the dots around it, which are alike
 };
 
 /// For calibration plates: dark dots on bright ground, 6 to 100 px wide, also on coarse prints and
@@ -52,7 +52,7 @@ struct FinderSettings {
   settings.light_tolerance = 0.15;
   settings.max_centre_sigma_px = 0.45;
   settings.dark_on_bright = true;
-  settings.min_size_of_median = 0.7;
+  settings.min_size_of_neighbours = 0.8;
   return settings;
 }
 

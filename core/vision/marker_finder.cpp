@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/LU>
@@ -20,6 +21,8 @@ constexpr double kElongationSlack = 1.3;  // the pixels of a light against its o
 constexpr double kSaturatedShare = 0.3;   // of a marker's pixels, at the sensor's upper end
 constexpr double kDark = 30.0;            // grey: brightest light above the ground, in an image too dark
 constexpr double kLitGround = 128.0;
+constexpr double kLeastOfUsual = 0.6;   // size of a plate's dot to the median of all
+constexpr std::size_t kNeighbours = 9;  // itself and eight around
 
 /// Regions cut to the image, those that touch united, so that no disc is found twice.
 void unite(std::span<const Region> wanted, const Region& frame, std::vector<Region>& regions) {
@@ -59,6 +62,7 @@ struct MarkerFinder::Body {
   void accept(const Component& component, const DetectedMarker& marker);
   void reject(const Eigen::Vector2d& position_px, double extent_px, Rejection reason);
   void dropDoubles();
+  [[nodiscard]] double sizeAround(const DetectedMarker& marker);
   void dropSmall();
   void judgeExposure();
 
@@ -69,7 +73,8 @@ struct MarkerFinder::Body {
   BlockMap map;
   std::array<ComponentScanner, kLevels> scanners;
   std::vector<Region> regions;
-  std::vector<double> sizes;
+  std::vector<std::pair<double, double>> neighbours;  ///< squared distance and size
+  std::vector<double> least_sizes;
   Detection found;
 };
 
@@ -84,7 +89,9 @@ void MarkerFinder::Body::examine(const Component& component, std::size_t level) 
   found.exposure.brightest = std::max<double>(found.exposure.brightest, component.peak);
   const Light light = lightOf(component);
   auto marker = measure(light);
-  if (!marker && splits(light, level)) return;
+  // Long lights fall apart at noise near their height: they may be two discs, cut once, but never crumbs.
+  const bool crumbles = level > 0 && !marker && marker.error() == Rejection::kTooElongated;
+  if (!marker && !crumbles && splits(light, level)) return;
   if (!marker && marker.error() == Rejection::kCut) marker = estimator->measureCut(image, light);
   if (marker)
     accept(component, *marker);
@@ -144,18 +151,40 @@ bool MarkerFinder::Body::splits(const Light& light, std::size_t level) {
   return true;
 }
 
+/// Median size of the markers that lie nearest to one.
+double MarkerFinder::Body::sizeAround(const DetectedMarker& marker) {
+  neighbours.clear();
+  for (const auto& other : found.markers)
+    neighbours.emplace_back((other.centre_px - marker.centre_px).squaredNorm(), sizeOf(other));
+  const std::size_t count = std::min(kNeighbours, neighbours.size());
+  std::partial_sort(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(count),
+                    neighbours.end());
+  neighbours.resize(count);
+  const auto middle = neighbours.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(neighbours.begin(), middle, neighbours.end(),
+                   [](const auto& a, const auto& b) { return a.second < b.second; });
+  return middle->second;
+}
+
 void MarkerFinder::Body::dropSmall() {
-  if (!(settings.min_size_of_median > 0.0) || found.markers.empty()) return;
-  sizes.clear();
-  for (const auto& marker : found.markers) sizes.push_back(sizeOf(marker));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double least = settings.min_size_of_median * *middle;
-  std::erase_if(found.markers, [&](const DetectedMarker& marker) {
-    if (sizeOf(marker) >= least) return false;
-    reject(marker.centre_px, 2.0 * marker.ellipse.semi_major_px, Rejection::kTooSmall);
-    return true;
-  });
+  if (!(settings.min_size_of_neighbours > 0.0)) return;
+  least_sizes.clear();
+  for (const auto& marker : found.markers) least_sizes.push_back(sizeOf(marker));
+  std::sort(least_sizes.begin(), least_sizes.end());
+  const double usual = least_sizes.empty() ? 0.0 : least_sizes[least_sizes.size() / 2];
+  least_sizes.clear();
+  for (const auto& marker : found.markers)
+    least_sizes.push_back(
+        std::max(settings.min_size_of_neighbours * sizeAround(marker), kLeastOfUsual * usual));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found.markers.size(); ++i) {
+    const DetectedMarker& marker = found.markers[i];
+    if (sizeOf(marker) < least_sizes[i])
+      reject(marker.centre_px, 2.0 * marker.ellipse.semi_major_px, Rejection::kTooSmall);
+    else
+      found.markers[kept++] = marker;
+  }
+  found.markers.resize(kept);
 }
 
 void MarkerFinder::Body::judgeExposure() {
