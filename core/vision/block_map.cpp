@@ -11,7 +11,7 @@ namespace mirrorarm::vision {
 namespace {
 
 constexpr int kTileRows = 8;            // of blocks: 64 pixels
-constexpr int kQuantile = 2;            // third darkest of eight
+constexpr int kQuantile = 4;            // the fifth darkest of eight: next to the median
 constexpr int kAside = 2;               // blocks to the left and right whose median counts
 constexpr float kLeastOfEight = 1.42F;  // noises that the darkest of eight pixels lies below their mean
 

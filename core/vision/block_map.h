@@ -9,7 +9,7 @@ namespace mirrorarm::vision {
 
 /// An image in blocks of 16 x 8 pixels: how bright each block is at most, and how bright a pixel in it must
 /// be to stand out. Learnt in the one pass that reads the whole image, at the speed of memory; what follows
-/// looks only at blocks that hold something bright. The ground under a block is a low quantile over its
+/// looks only at blocks that hold something bright. The ground under a block is a median over its
 /// surroundings, so that discs do not lift it; the noise is measured from steps between neighbouring pixels.
 /// Keeps its buffers.
 class BlockMap {

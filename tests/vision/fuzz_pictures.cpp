@@ -178,7 +178,8 @@ FinderSettings FuzzSource::settings() {
        {&settings.min_diameter_px, &settings.max_diameter_px, &settings.max_axis_ratio,
         &settings.max_fit_rms_px, &settings.outline_tolerance_px, &settings.outline_tolerance_of_radius,
         &settings.light_tolerance, &settings.max_centre_sigma_px, &settings.min_outline_fraction,
-        &settings.edge_sigma_px, &settings.min_size_of_median})
+        &settings.edge_sigma_px, &settings.min_size_of_neighbours, &settings.blur_px,
+        &settings.blur_tolerance_px})
     *value = absurdOr(*value * real(0.5, 2.0));
   return settings;
 }
