@@ -1,5 +1,7 @@
 #include "ui/model/readiness.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 
 namespace mirrorarm::ui {
@@ -17,7 +19,9 @@ constexpr int kFewestMarkers = 3;
 QVector<Check> readinessOf(const station::Snapshot& snapshot, const Workplace& workplace, TimePoint now) {
   const auto* frame = snapshot.frame.get();
   const auto& robot = snapshot.control.servo.measured;
-  const int markers = frame != nullptr ? static_cast<int>(frame->observation.points.size()) : 0;
+  const int markers = frame != nullptr ? static_cast<int>(std::ranges::count_if(
+                                             frame->observation.points, &vision::StereoPoint::preferred))
+                                       : 0;
   const bool images = frame != nullptr && now - frame->frame.exposed_at < kFreshFor;
   const bool answers =
       robot.q_rad.size() == workplace.arm.jointCount() && now - robot.measured_at < kFreshFor;

@@ -1,5 +1,6 @@
 #include "ui/model/tracking_presenter.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include <QStringList>
@@ -29,7 +30,8 @@ void describeTarget(const tracking::TrackedTarget& target, TimePoint now, Tracki
 }
 
 void describeUntaught(const station::TrackedFrame& frame, TrackingState& state) {
-  const auto count = static_cast<int>(frame.observation.points.size());
+  const auto& points = frame.observation.points;
+  const auto count = static_cast<int>(std::ranges::count_if(points, &vision::StereoPoint::preferred));
   state.light = Light::kOff;
   state.status = TrackingPresenter::tr("Not taught");
   state.detail = TrackingPresenter::tr("markers in view: %1").arg(count);
