@@ -17,6 +17,8 @@ constexpr int kEight = 8;                     // the fit takes pixels by eights
 constexpr double kQuantisation = 1.0 / 12.0;  // grey^2, of rounding to whole grey values
 constexpr double kShotNoise = 0.04;           // variance a grey level of light: 25 electrons a level
 constexpr double kInsideShare = 0.98;
+constexpr double kLeastSampledBlur_px = 0.6;  // a sharper rim falls between pixels,
+constexpr double kUndersampled = 0.5;         // which moves it to and fro by so much of what it is sharper
 constexpr double kMostInsideRatio = 3.0;
 constexpr double kMostBlurOfRadius = 0.5;  // what is softer is a glow
 constexpr double kBlurAllowance_px = 0.8;
@@ -213,9 +215,10 @@ bool LikelihoodEstimator::follows(const FittedDisc& fitted, const Light& light, 
                                   const Region& window) {
   const PixelNoise noise = sensorNoise(light);
   const double radius_px = 1.0 / std::sqrt(fitted.disc.B_per_px.determinant());
-  profile_.measure(
-      fitted.disc, noise, image, window,
-      std::hypot(settings_.outline_tolerance_px, settings_.outline_tolerance_of_radius * radius_px));
+  const double coarse_px = kUndersampled * std::max(kLeastSampledBlur_px - fitted.disc.blur_px, 0.0);
+  profile_.measure(fitted.disc, noise, image, window,
+                   std::hypot(settings_.outline_tolerance_px,
+                              settings_.outline_tolerance_of_radius * radius_px, coarse_px));
   if (!fitted.settled || profile_.misfit() > 1.0) return false;
   const double texture = settings_.light_tolerance * fitted.disc.light;
   return profile_.insideVariance(kInsideShare) <

@@ -178,9 +178,10 @@ bool LikelihoodFit::descend(const Brightness& image, const Region& window, const
       return false;
     }
     if (!factor.factorise(equations_.matrix, damping)) return false;
-    const DiscVector change = bounded(disc, factor.solve(equations_.vector));
-    const double fall = change.dot(equations_.vector);
+    DiscVector change = bounded(disc, factor.solve(equations_.vector));
     trial = moved(disc, change);
+    change(kBlur) = trial.blur_px - disc.blur_px;  // which has limits
+    const double fall = change.dot(equations_.vector);
     if (damping > kMostDampingAtEnd) continue;
     if (noise_known && fall < enough && isADisc(trial, window)) {
       disc = trial;

@@ -41,7 +41,7 @@ TEST(BoardImages, FoldersThatDoNotFitAreRefusedByName) {
   grey(folder / "right" / "r2.png", 44, 30);
   EXPECT_NE(pairs().find("r2.png: is 44x30 where"), std::string::npos);
   writeText(folder / "right/r2.png", "no image");
-  EXPECT_EQ(pairs(), "r2.png: is not an image that can be read");
+  EXPECT_EQ(pairs(), "r2.png: is no PNG, JPEG, BMP, TIFF or binary PGM image");
 }
 
 TEST(BoardImages, WhereNoBoardIsTheNamesAreKept) {
