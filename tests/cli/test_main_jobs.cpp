@@ -98,7 +98,8 @@ std::string discImage(int width, int height, double radius_px) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const double inside = radius_px - std::hypot(x - 0.5 * width, y - 0.5 * height);
-      bytes += static_cast<char>(20.0 + 180.0 * std::clamp(inside + 0.5, 0.0, 1.0));
+      const auto grey = static_cast<unsigned char>(20.0 + 180.0 * std::clamp(inside + 0.5, 0.0, 1.0));
+      bytes += static_cast<char>(grey);
     }
   return bytes;
 }
