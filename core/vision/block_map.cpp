@@ -133,7 +133,7 @@ MIRRORARM_VECTOR_CODE void medianAcross(const std::uint8_t* above, const std::ui
   for (int i = 0; i < columns; ++i) to[i] = medianOfThree(above[i], here[i], below[i]);
 }
 
-/// Ground between two rows of tiles, `lift` above them, and the threshold over it.
+/// Ground between two rows of tiles, and the threshold over it.
 MIRRORARM_VECTOR_CODE void setRow(const std::uint8_t* above, const std::uint8_t* below, float share,
                                   int columns, const float* noise, float* ground, std::uint8_t* threshold) {
   for (int i = 0; i < columns; ++i) {
@@ -181,7 +181,7 @@ void BlockMap::readRow(const Brightness& image, int row) {
     readDark(blocks);
 }
 
-/// Low quantile over eight blocks one above the other.
+/// Quantile over eight blocks one above the other, then the median of its neighbours in the row.
 void BlockMap::takeQuantile(int tile) {
   const int first = std::max(std::min(tile * kTileRows, rows_ - kTileRows), 0);
   for (int i = 0; i < kTileRows; ++i)

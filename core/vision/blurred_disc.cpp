@@ -296,7 +296,6 @@ MIRRORARM_INLINE void leaveOver(const Model& m, const Brightness& image, const R
       Floats slope = e.gain * e.rim;
       if constexpr (kCovered) slope *= e.cover_share;
       lanes::store(&result.residual[at], compare(m, e, seenAt(image, row + x)).residual);
-      lanes::store(&result.distance[at], e.distance);
       lanes::store(&result.share[at], e.share);
       lanes::store(&result.slope[at], slope);
       lanes::store(&result.ux[at], e.ux);
@@ -343,7 +342,7 @@ void residuals(const BlurredDisc& disc, const PixelNoise& noise, const Brightnes
   result.width = window.width();
   result.height = window.height();
   const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height);
-  for (auto* map : {&result.residual, &result.distance, &result.share, &result.slope, &result.ux, &result.uy})
+  for (auto* map : {&result.residual, &result.share, &result.slope, &result.ux, &result.uy})
     map->resize(count);
   const Model m = modelOf(disc, noise, window);
   if (disc.covered)

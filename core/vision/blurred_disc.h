@@ -61,7 +61,6 @@ struct DiscResiduals {
   int width = 0;
   int height = 0;
   std::vector<float> residual;  ///< image minus model [grey]; exactly 0 where the pixel says nothing
-  std::vector<float> distance;  ///< d [px], negative inside
   std::vector<float> share;     ///< S
   std::vector<float> slope;     ///< what moving the outline by a pixel outwards adds [grey/px]
   std::vector<float> ux;        ///< B r: where around the outline

@@ -92,7 +92,7 @@ double OutlineProfile::oddShare() const {
 void OutlineProfile::judge(const BlurredDisc& disc, double tolerance_px) {
   const Eigen::Matrix2d axes = disc.B_per_px.inverse();
   const double allowed = tolerance_px * tolerance_px;
-  double sum = 0.0, squares = 0.0;
+  double sum = 0.0;
   int free = 0, in_place = 0;
   for (int k = 0; k < count_; ++k) {
     const auto at = static_cast<std::size_t>(k);
@@ -104,14 +104,12 @@ void OutlineProfile::judge(const BlurredDisc& disc, double tolerance_px) {
     const double variance = 1.0 / weight_[at] + allowed;
     const double normalised = displacement_[at] * displacement_[at] / variance;
     sum += normalised;
-    squares += displacement_[at] * displacement_[at];
     ++free;
     in_place += normalised <= kUncertain * kUncertain ? 1 : 0;
   }
   const double freedom = std::max(free - kShapeParameters, 1.0);
   misfit_ = sum / (freedom + kSigmas * std::sqrt(2.0 * freedom));
   supported_ = static_cast<double>(in_place) / count_;
-  rms_px_ = std::sqrt(squares / std::max(free, 1));
 }
 
 }  // namespace mirrorarm::vision

@@ -26,8 +26,6 @@ class OutlineProfile {
   /// Share of the squared displacements that changes its sign from one side to the other: near 0 for what
   /// looks the same when turned by half, as rectangles and strips do, more where one side is covered.
   [[nodiscard]] double oddShare() const;
-  /// Root mean square of the displacements [px].
-  [[nodiscard]] double rms_px() const { return rms_px_; }
 
   /// Mean of the squared residuals [grey^2] where at least `share` of the light is full; 0 when nowhere.
   [[nodiscard]] double insideVariance(double share) const;
@@ -46,7 +44,6 @@ class OutlineProfile {
   std::array<double, kMostSectors> displacement_{};
   double misfit_ = 0.0;
   double supported_ = 0.0;
-  double rms_px_ = 0.0;
 };
 
 }  // namespace mirrorarm::vision
