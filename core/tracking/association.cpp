@@ -16,10 +16,6 @@ bool isClaimed(std::span<const SeenDiscs> discs_of_y, std::span<const int> y_of_
 
 }  // namespace
 
-bool shareADisc(const SeenDiscs& a, const SeenDiscs& b) {
-  return (a.left >= 0 && a.left == b.left) || (a.right >= 0 && a.right == b.right);
-}
-
 int Association::pair(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y,
                       const RigidTransform& X_YX, double gate_m, std::vector<int>& y_of_x,
                       std::span<const SeenDiscs> discs_of_y) {

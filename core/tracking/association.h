@@ -6,16 +6,9 @@
 #include <Eigen/Core>
 
 #include "core/geometry/rigid_transform.h"
+#include "core/tracking/cloud_point.h"
 
 namespace mirrorarm::tracking {
-
-/// The discs of both images that a cloud point was measured from, -1 where that is not known: of points that
-/// share a disc at most one is real.
-struct SeenDiscs {
-  int left = -1;
-  int right = -1;
-};
-[[nodiscard]] bool shareADisc(const SeenDiscs& a, const SeenDiscs& b);
 
 /// One-to-one pairs of moved model points and cloud points, nearest first. Keeps its buffers.
 class Association {

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/geometry/rigid_transform.h"
+#include "core/tracking/cloud_point.h"
+
+namespace mirrorarm::tracking {
+
+struct ConstellationSettings {
+  /// How far two markers' distance may differ from the model's beyond what the sensor explains [m]: teaching
+  /// and skin.
+  double tolerance_m = 0.0004;
+  double sigmas = 4.0;  ///< of the sensor's own uncertainty of a distance, on top of the tolerance
+  /// Fits that chance alone would give in such a cloud, expected number a frame: more than this is no proof.
+  double max_chance = 1e-3;
+  int max_steps = 200'000;  ///< of one target's search: time is bounded whatever a cloud holds
+};
+
+/// Why the best fit of a target was not taken.
+enum class SearchVerdict : std::uint8_t {
+  kFound,
+  kTooFewMarkers,  ///< no 4 points lie like markers of the target, or a chance fit is as likely as it
+  kAmbiguous,      ///< another pose, or another target, explains the points as well
+  kCutOff,         ///< the search was stopped by max_steps before anything was proven
+};
+
+/// One way a target may lie in a cloud.
+struct Constellation {
+  RigidTransform X_CT = RigidTransform::Identity();
+  std::vector<int> point_of_marker;  ///< index into the cloud, -1 for none; one-to-one, also in discs
+  int matched = 0;
+  double rms_m = 0.0;   ///< of the rigid fit
+  double chance = 1.0;  ///< expected number of such fits by chance in this cloud
+};
+
+/// What a search says of one target.
+struct SearchResult {
+  SearchVerdict verdict = SearchVerdict::kTooFewMarkers;
+  Constellation best;       ///< good when found or ambiguous
+  Constellation runner_up;  ///< the best one in another pose; matched is 0 when there is none
+};
+
+/// Finds targets in one cloud from nothing: any orientation, any number of them hidden, strangers about.
+///
+/// Pairs (marker, point) are the vertices of a graph; an edge joins two pairs whose markers lie as far apart
+/// as their points do. A set of pairs that all agree is a clique; the largest one is found on bit sets,
+/// exactly, with the number of different markers among the candidates as bound. Distances of all targets lie
+/// in one index, so that each distance of the cloud is looked up once. A clique whose rigid fit is bad (a
+/// mirror image) is passed over. Source: Bron, Kerbosch, CACM 16, 1973; Tomita, Seki, DMTCS 2003; San Segundo
+/// et al., Computers and Operations Research 38(2), 2011; the clique for point sets: Yang, Shi, Carlone,
+/// TEASER, T-RO 37(2), 2021.
+///
+/// One thread. Keeps its buffers: nothing is taken from the heap once they have grown.
+class ConstellationSearch {
+ public:
+  explicit ConstellationSearch(const ConstellationSettings& settings = {});
+
+  /// The targets' markers [m], at most kMaxMarkers each; spans are copied. Prepares the index. `tolerances_m`
+  /// holds one tolerance a target, or is empty for settings.tolerance_m.
+  void setTargets(std::span<const std::span<const Eigen::Vector3d>> targets_T,
+                  std::span<const double> tolerances_m = {});
+
+  /// One result a target. Only targets with `wanted[i]` are sought (empty: all); points that one target has
+  /// taken are not given to another: the surest choose first. At most kMaxPoints points are considered.
+  /// The span stays good until the next call.
+  [[nodiscard]] std::span<const SearchResult> run(std::span<const CloudPoint> cloud,
+                                                  std::span<const char> wanted = {});
+};
+
+}  // namespace mirrorarm::tracking
