@@ -4,12 +4,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "benchmarks/statistics.h"
+#include "benchmarks/timing.h"
 #include "benchmarks/vision/moving_scene.h"
 #include "benchmarks/vision/reference_chain.h"
 #include "benchmarks/vision/stereo_discs.h"
 #include "benchmarks/vision/suite.h"
-#include "core/common/time.h"
 #include "core/vision/stereo_vision.h"
 #include "tests/common/no_heap.h"
 
@@ -22,22 +21,10 @@ constexpr int kRing = 40;  // frames of 2.5 MB: no cache holds them all, as in l
 constexpr int kWarmUp = 3 * kRing;
 constexpr double kLookAhead_m = 0.01;
 
-struct Timing {
-  double median_ms = 0.0;
-  double p99_ms = 0.0;
-};
-
 /// Calls `work` for each frame of the ring by turns.
 template <class Work>
-Timing timed(const std::vector<MovingFrame>& ring, int frames, Work work) {
-  std::vector<double> times_ms;
-  times_ms.reserve(static_cast<std::size_t>(frames));
-  for (int i = 0; i < frames; ++i) {
-    const TimePoint start = Clock::now();
-    work(ring[static_cast<std::size_t>(i) % ring.size()]);
-    times_ms.push_back(1000.0 * secondsBetween(start, Clock::now()));
-  }
-  return {quantile(times_ms, 0.5), quantile(times_ms, 0.99)};
+Timing timedOver(const std::vector<MovingFrame>& ring, int frames, Work work) {
+  return timed(frames, [&](int i) { work(ring[static_cast<std::size_t>(i) % ring.size()]); });
 }
 
 enum class Search { kWholeImage, kRegions };
@@ -58,10 +45,10 @@ Observing observe(const camera::StereoRig& rig, const std::vector<MovingFrame>& 
     if (search == Search::kRegions) vision.expect(each.discs_C, kLookAhead_m);
     points += std::ranges::count_if(vision.observe(each.frame).points, &product::StereoPoint::preferred);
   };
-  timed(ring, std::min(kWarmUp, frames), work);
+  (void)timedOver(ring, std::min(kWarmUp, frames), work);
   points = 0;
   Observing observing;
-  observing.timing = timed(ring, frames, work);
+  observing.timing = timedOver(ring, frames, work);
   observing.points_per_frame = static_cast<double>(points) / frames;
   const auto calls = mirrorarm::testing::heapCallsOfAllThreadsIn([&] {
     for (const MovingFrame& each : ring) work(each);
@@ -110,7 +97,7 @@ Row ratioRow(const camera::StereoRig& rig, const std::vector<MovingFrame>& ring,
   ReferenceChain chain(rig);
   int ellipses = 0;
   const Timing timing =
-      timed(ring, frames, [&](const MovingFrame& each) { ellipses += chain.run(each.frame); });
+      timedOver(ring, frames, [&](const MovingFrame& each) { ellipses += chain.run(each.frame); });
   const double ratio = timing.median_ms / ours.timing.median_ms;
   Row row;
   row.name =
