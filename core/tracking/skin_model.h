@@ -1,15 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
-#include <string_view>
 
 #include <Eigen/Core>
 
 #include "core/common/time.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/tracking/cloud_point.h"
+#include "core/tracking/skin_event.h"
 #include "core/tracking/target.h"
 
 namespace mirrorarm::tracking {
@@ -22,17 +21,6 @@ struct SkinSettings {
   Seconds missing_time{3.0};      ///< a marker in view and not found for so long has fallen off
   Seconds adding_time{1.0};       ///< a stranger that moves with the body for so long is a marker of it
 };
-
-/// What the model noticed in one frame, to be told and recorded.
-enum class SkinEvent : std::uint8_t {
-  kNone,
-  kSlipped,      ///< markers have moved against the others for good: the shape was taught anew
-  kMarkerLost,   ///< one has fallen off: it no longer counts
-  kMarkerFound,  ///< one that had fallen off is back
-  kMarkerAdded,  ///< a new one moves with the body: it counts from now on
-};
-/// "none", "slipped", "marker_lost", "marker_found", "marker_added".
-[[nodiscard]] std::string_view id(SkinEvent event);
 
 /// One frame as the model learns from it.
 struct SkinObservation {
