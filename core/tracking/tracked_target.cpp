@@ -40,6 +40,12 @@ std::string_view id(LostReason reason) {
       return "bad_fit";
     case LostReason::kNotConverged:
       return "not_converged";
+    case LostReason::kAmbiguous:
+      return "ambiguous";
+    case LostReason::kOutOfVolume:
+      return "out_of_volume";
+    case LostReason::kStale:
+      return "stale";
   }
   return "none";
 }

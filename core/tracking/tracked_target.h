@@ -19,11 +19,18 @@ enum class TrackStatus : std::uint8_t { kTracked, kPredicted, kLost };
 /// "tracked", "predicted", "lost".
 [[nodiscard]] std::string_view id(TrackStatus status);
 
-/// Why a target was not tracked. kNoPoints: the frame held no free point (near its prediction or at all);
-/// kTooFewMarkers: too few points fit the model; kBadFit: enough, but farther than the largest misfit;
-/// kNotConverged: the search was cut off by its time bound before anything fitted.
-enum class LostReason : std::uint8_t { kNone, kNoPoints, kTooFewMarkers, kBadFit, kNotConverged };
-/// "none", "no_points", "too_few_markers", "bad_fit", "not_converged".
+/// Why a target was not tracked.
+enum class LostReason : std::uint8_t {
+  kNone,
+  kNoPoints,       ///< the frame held no free point, near where the target is expected or at all
+  kTooFewMarkers,  ///< too few points fit the model to prove that it is there
+  kBadFit,         ///< enough, but they do not lie like the markers
+  kNotConverged,   ///< the search was cut off by its time bound before anything fitted
+  kAmbiguous,      ///< the points fit in several ways, or several targets fit them
+  kOutOfVolume,    ///< it was about to leave, or has left, what both cameras see
+  kStale,          ///< no frame has shown it for too long
+};
+/// "none", "no_points", "too_few_markers", "bad_fit", "not_converged", "ambiguous", "out_of_volume", "stale".
 [[nodiscard]] std::string_view id(LostReason reason);
 
 /// One target at one instant. A predicted one keeps the reason why it was not measured. Fixed size: it goes
@@ -35,9 +42,10 @@ struct TrackedTarget {
   Eigen::Matrix<double, 6, 6> covariance =
       Eigen::Matrix<double, 6, 6>::Zero();  ///< turn [rad] then shift [m], in T
   TimePoint exposed_at{};                   ///< middle of the exposure
-  double rms_m = 0.0;                       ///< of the rigid fit over the matched markers
-  int marker_count = 0;                     ///< markers that the target has
-  int matched_count = 0;                    ///< markers that were found
+  double rms_m = 0.0;        ///< of the fit over the matched markers, to the shape the target has now
+  double deviation_m = 0.0;  ///< of that shape from the one at rest, root mean square: how the skin moved
+  int marker_count = 0;      ///< markers that the target has
+  int matched_count = 0;     ///< markers that were found
   /// For each marker the index of its measured point, -1 when it was not found.
   std::array<std::int16_t, kMaxMarkers> point_of_marker{};
 };

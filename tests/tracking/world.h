@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
+#include "core/tracking/cloud_point.h"
 #include "core/tracking/target.h"
 #include "core/vision/stereo_observation.h"
 
@@ -83,6 +84,13 @@ inline Scene look(const std::vector<Vector3d>& markers_T, const RigidTransform& 
     scene.points_C.push_back(p_C + noise.gaussian(kSensorNoise_m));
   }
   return scene;
+}
+
+inline std::vector<CloudPoint> cloudOf(const Scene& scene) {
+  std::vector<CloudPoint> cloud;
+  for (const auto& p : scene.points_C)
+    cloud.push_back({p, kSensorNoise_m * kSensorNoise_m * Eigen::Matrix3d::Identity(), {}});
+  return cloud;
 }
 
 inline std::vector<vision::StereoPoint> asStereo(const std::vector<Vector3d>& points_C) {
