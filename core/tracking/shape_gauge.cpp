@@ -1,0 +1,64 @@
+#include "core/tracking/shape_gauge.h"
+
+#include <algorithm>
+
+#include <Eigen/LU>
+
+namespace mirrorarm::tracking {
+namespace {
+
+constexpr double kFloorOfMean = 0.1;
+constexpr double kLeastVariance_m2 = 1e-10;  // (0.01 mm)^2: below it all are alike
+
+}  // namespace
+
+RigidRows rigidRows(const Eigen::Vector3d& p_T) {
+  RigidRows rows;
+  rows << 0.0, p_T.z(), -p_T.y(), 1.0, 0.0, 0.0,  //
+      -p_T.z(), 0.0, p_T.x(), 0.0, 1.0, 0.0,      //
+      p_T.y(), -p_T.x(), 0.0, 0.0, 0.0, 1.0;
+  return rows;
+}
+
+void ShapeGauge::resize(std::size_t markers) {
+  squares_.resize(markers);
+  weights_.resize(markers, 0.0);
+  rows_.resize(markers, RigidRows::Zero());
+}
+
+void ShapeGauge::learn(std::span<const Eigen::Vector3d> deviations, std::span<const char> present,
+                       double share_of_memory) {
+  for (std::size_t i = 0; i < squares_.size(); ++i)
+    if (present[i] != 0) squares_[i].add(deviations[i].squaredNorm() / 3.0, share_of_memory);
+}
+
+void ShapeGauge::prepare(std::span<const Eigen::Vector3d> shape_T, std::span<const char> present) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    if (present[i] == 0) continue;
+    sum += squares_[i].value();
+    ++count;
+  }
+  const double floor = std::max(kFloorOfMean * sum / std::max(count, 1), kLeastVariance_m2);
+  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    weights_[i] = present[i] != 0 ? floor / (squares_[i].value() + floor) : 0.0;
+    rows_[i] = rigidRows(shape_T[i]);
+    normal += weights_[i] * rows_[i].transpose() * rows_[i];
+  }
+  inverse_ = normal.inverse();
+}
+
+Vector6 ShapeGauge::rigidPart(std::span<const Eigen::Vector3d> field) const {
+  Vector6 right = Vector6::Zero();
+  for (std::size_t i = 0; i < rows_.size(); ++i) right += weights_[i] * rows_[i].transpose() * field[i];
+  return inverse_ * right;
+}
+
+void ShapeGauge::removeRigidPart(std::span<Eigen::Vector3d> field) const {
+  const Vector6 motion = rigidPart(field);
+  for (std::size_t i = 0; i < rows_.size(); ++i) field[i] -= rows_[i] * motion;
+}
+
+}  // namespace mirrorarm::tracking
