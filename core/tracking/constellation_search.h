@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,7 @@ struct ConstellationSettings {
   /// and skin.
   double tolerance_m = 0.0004;
   double sigmas = 4.0;  ///< of the sensor's own uncertainty of a distance, on top of the tolerance
+  double unknown_sigma_m = 0.0002;  ///< of a point without covariance, in each direction
   /// Fits that chance alone would give in such a cloud, expected number a frame: more than this is no proof.
   double max_chance = 1e-3;
   int max_steps = 200'000;  ///< of one target's search: time is bounded whatever a cloud holds
@@ -34,7 +37,11 @@ struct Constellation {
   std::vector<int> point_of_marker;  ///< index into the cloud, -1 for none; one-to-one, also in discs
   int matched = 0;
   double rms_m = 0.0;   ///< of the rigid fit
+  double misfit = 0.0;  ///< chi-square of the fit, 3 matched - 6 degrees: of sensor and tolerance together
   double chance = 1.0;  ///< expected number of such fits by chance in this cloud
+  /// How much better it explains its points than strangers among them would: logarithm of the odds. Compares
+  /// fits, also of different targets, in one cloud.
+  double evidence = 0.0;
 };
 
 /// What a search says of one target.
@@ -58,6 +65,9 @@ struct SearchResult {
 class ConstellationSearch {
  public:
   explicit ConstellationSearch(const ConstellationSettings& settings = {});
+  ~ConstellationSearch();
+  ConstellationSearch(ConstellationSearch&&) noexcept;
+  ConstellationSearch& operator=(ConstellationSearch&&) noexcept;
 
   /// The targets' markers [m], at most kMaxMarkers each; spans are copied. Prepares the index. `tolerances_m`
   /// holds one tolerance a target, or is empty for settings.tolerance_m.
@@ -69,6 +79,10 @@ class ConstellationSearch {
   /// The span stays good until the next call.
   [[nodiscard]] std::span<const SearchResult> run(std::span<const CloudPoint> cloud,
                                                   std::span<const char> wanted = {});
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
 };
 
 }  // namespace mirrorarm::tracking
