@@ -2,6 +2,12 @@
 
 namespace mirrorarm::benchmarks::tracking {
 
-Suite suite() { return {"tracking", "Tracking, from points to poses", {}}; }
+Suite suite() {
+  return {"tracking",
+          "Tracking, from points to poses",
+          {{"registration", "One target from nothing, any rotation", measureRegistration},
+           {"bodies", "Several targets from nothing", measureBodies},
+           {"false-pose", "Poses found where the target is not", measureFalsePoses}}};
+}
 
 }  // namespace mirrorarm::benchmarks::tracking

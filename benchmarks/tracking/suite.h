@@ -7,4 +7,8 @@ namespace mirrorarm::benchmarks::tracking {
 /// Tracking: from points to poses. docs/benchmarks.md says what each row means.
 [[nodiscard]] Suite suite();
 
+void measureRegistration(Run& run);
+void measureBodies(Run& run);
+void measureFalsePoses(Run& run);
+
 }  // namespace mirrorarm::benchmarks::tracking
