@@ -2,42 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/tracking/keyframes.h"
 #include "core/tracking/layout.h"
-#include "core/tracking/registration.h"
+#include "core/tracking/lesson_network.h"
+#include "core/tracking/lesson_registration.h"
 #include "core/tracking/running_model.h"
 
 namespace mirrorarm::tracking {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kMinMarkers = 3;
-constexpr int kMinForRegistration = 4;
-constexpr double kModelPresence = 0.5;  // points that later clouds are registered to
-constexpr double kStep_m = 0.03;        // an arm's way from frame to frame
 constexpr double kGateInRms = 3.0;
+constexpr int kPatience = 5;       // clouds that do not fit before a new beginning is thought of
+constexpr int kFirstLook = 10;     // frames before the precision is looked at
+constexpr double kNextLook = 1.2;  // times the frames of the last look
+constexpr int kFramesBetweenLooks = 5;
+constexpr int kStepsOfALook = 2;
 
 Vector3d centroid(std::span<const Vector3d> points) {
   Vector3d sum = Vector3d::Zero();
   for (const auto& p : points) sum += p;
   return sum / static_cast<double>(points.size());
-}
-
-/// Covariance of a mean of `seen` readings.
-Matrix3d covarianceOfMean(const RunningModel::Point& point) {
-  const double seen = point.seen;
-  return point.scatter_m2 / std::max(1.0, seen * (seen - 1.0));
-}
-
-double largestSigma(const Matrix3d& covariance) {
-  Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
 }
 
 }  // namespace
@@ -55,101 +44,153 @@ std::string_view id(TeachingError error) {
 }
 
 struct Teacher::Body {
+  explicit Body(const TeacherSettings& chosen)
+      : settings(chosen), registration(chosen.softassign, chosen.max_rms_m) {}
+
   TeacherSettings settings;
   RunningModel model;
-  RigidTransform X_CT = RigidTransform::Identity();  ///< at the last cloud that fitted
-  int rejected = 0;
-  Registration registration;
-  std::vector<Vector3d> cloud_C, model_T;
+  Keyframes keyframes;
+  LessonRegistration registration;
+  std::vector<CloudPoint> cloud;
+  std::vector<Vector3d> places_C;
+  int frames = 0;
+  int rejected_in_a_row = 0;
+  BundleAdjustment adjustment;
+  double looked_sigma_m = std::numeric_limits<double>::infinity();
+  int looked_at = 0;  ///< frames of the model at the last look
 
-  void collect(std::span<const Vector3d> cloud);
+  void learn();
   void begin();
-  void registerCloud();
-  [[nodiscard]] const RegistrationResult& locate(const RegistrationSettings& needed);
+  void take(const RigidTransform& X_CT, double gate_m);
+  void look();
+  [[nodiscard]] bool isTimeToLook() const;
+  [[nodiscard]] double sigma_m() const;
+  [[nodiscard]] std::vector<RunningModel::Point> markers() const {
+    return model.markers(settings.min_presence, settings.marker_diameter_m);
+  }
 };
 
-void Teacher::Body::collect(std::span<const Vector3d> cloud) {
-  cloud_C.clear();
-  for (const auto& p : cloud)
-    if (p.allFinite() && cloud_C.size() < kMaxPoints) cloud_C.push_back(p);
+void Teacher::Body::learn() {
+  ++frames;
+  if (rejected_in_a_row > std::max(kPatience, model.frames())) {
+    model.clear();
+    keyframes.clear();
+  }
+  if (model.frames() == 0) {
+    begin();
+    return;
+  }
+  const auto fit = registration.run(model.steadyPoints(), cloud);
+  if (!fit) {
+    ++rejected_in_a_row;
+    return;
+  }
+  take(fit->X_CT, std::clamp(kGateInRms * fit->rms_m, settings.softassign.tolerated_distance_m,
+                             kGateInRms * settings.max_rms_m));
+  if (isTimeToLook()) look();
 }
 
 void Teacher::Body::begin() {
-  if (cloud_C.size() < kMinMarkers) {
-    ++rejected;
-    return;
-  }
-  X_CT.translation() = centroid(cloud_C);
-  model.add(cloud_C, X_CT, settings.softassign.tolerated_distance_m);
+  places_C.clear();
+  for (const auto& point : cloud) places_C.push_back(point.p_C);
+  if (places_C.size() < kMinMarkers) return;
+  const RigidTransform X_CT = makeTransform(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), centroid(places_C));
+  registration.begin(X_CT);
+  looked_sigma_m = std::numeric_limits<double>::infinity();
+  looked_at = 0;
+  take(X_CT, settings.softassign.tolerated_distance_m);
 }
 
-void Teacher::Body::registerCloud() {
-  model_T.clear();
-  for (const auto& point : model.markers(kModelPresence, 0.0)) model_T.push_back(point.mean_T);
-  const auto known = static_cast<int>(model_T.size());
-  const int needed = std::max(std::min(kMinForRegistration, known), (model.steadyCount() + 1) / 2);
-  const auto& fit = locate({settings.softassign, false, settings.max_rms_m, needed});
-  if (!fit.isAccepted()) {
-    ++rejected;
-    return;
-  }
-  X_CT = fit.X_YX;
-  model.add(cloud_C, X_CT,
-            std::clamp(kGateInRms * fit.rms_m, settings.softassign.tolerated_distance_m,
-                       kGateInRms * settings.max_rms_m));
+void Teacher::Body::take(const RigidTransform& X_CT, double gate_m) {
+  keyframes.add(X_CT, model.add(cloud, X_CT, gate_m));
+  rejected_in_a_row = 0;
 }
 
-/// From the last pose if that will do, else from nothing.
-const RegistrationResult& Teacher::Body::locate(const RegistrationSettings& needed) {
-  const auto& near = registration.follow(model_T, cloud_C, needed, X_CT, kStep_m);
-  return near.isAccepted() ? near : registration.search(model_T, cloud_C, needed);
+bool Teacher::Body::isTimeToLook() const {
+  const int now = model.frames();
+  if (now < kFirstLook) return false;
+  if (now >= kNextLook * looked_at) return true;
+  const bool hopeful = looked_sigma_m > settings.wanted_sigma_m && sigma_m() <= settings.wanted_sigma_m;
+  return hopeful && now >= looked_at + kFramesBetweenLooks;
 }
 
-Teacher::Teacher(const TeacherSettings& settings) : body_(std::make_unique<Body>()) {
-  body_->settings = settings;
+/// How sure the markers are by now; poses and positions go on from the adjusted ones.
+void Teacher::Body::look() {
+  looked_at = model.frames();
+  looked_sigma_m = std::numeric_limits<double>::infinity();
+  const auto points = markers();
+  if (points.size() < kMinMarkers) return;
+  auto lesson = networkOf(points, keyframes.all());
+  if (areCollinear(lesson.network.markers_T)) return;
+  adjustment.adjust(lesson.network, kStepsOfALook);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    model.correct(points[i].id, lesson.network.markers_T[i], lesson.network.spread_m[i]);
+  for (std::size_t f = 0; f < lesson.keyframe.size(); ++f)
+    keyframes.correct(lesson.keyframe[f], lesson.network.frames[f].X_CT);
+  looked_sigma_m = largestSigma(adjustment, points.size());
 }
 
+/// That of the last look, less what the frames since have told.
+double Teacher::Body::sigma_m() const {
+  if (looked_at == 0) return looked_sigma_m;
+  return looked_sigma_m * std::sqrt(static_cast<double>(looked_at) / model.frames());
+}
+
+Teacher::Teacher(const TeacherSettings& settings) : body_(std::make_unique<Body>(settings)) {}
 Teacher::~Teacher() = default;
 Teacher::Teacher(Teacher&&) noexcept = default;
 Teacher& Teacher::operator=(Teacher&&) noexcept = default;
 
-void Teacher::add(std::span<const Vector3d> cloud_C) {
-  body_->collect(cloud_C);
-  if (body_->model.frames() == 0) {
-    body_->begin();
-  } else {
-    body_->registerCloud();
+void Teacher::add(std::span<const CloudPoint> cloud) {
+  body_->cloud.clear();
+  for (const auto& point : cloud) {
+    if (body_->cloud.size() == kMaxPoints) break;
+    if (point.p_C.allFinite() && point.covariance_m2.allFinite()) body_->cloud.push_back(point);
   }
+  body_->learn();
 }
 
-int Teacher::frames() const { return body_->model.frames() + body_->rejected; }
+void Teacher::add(std::span<const Vector3d> cloud_C) {
+  body_->cloud.clear();
+  for (const auto& p_C : cloud_C) {
+    if (body_->cloud.size() == kMaxPoints) break;
+    if (p_C.allFinite()) body_->cloud.push_back({p_C, Eigen::Matrix3d::Zero(), {}});
+  }
+  body_->learn();
+}
 
-int Teacher::markers() const {
-  const auto& settings = body_->settings;
-  return static_cast<int>(body_->model.markers(settings.min_presence, settings.marker_diameter_m).size());
+int Teacher::frames() const { return body_->frames; }
+int Teacher::markers() const { return static_cast<int>(body_->markers().size()); }
+double Teacher::sigma_m() const { return body_->sigma_m(); }
+
+bool Teacher::isDone() const {
+  return body_->model.frames() >= body_->settings.min_frames &&
+         body_->looked_sigma_m <= body_->settings.wanted_sigma_m;
 }
 
 Expected<TaughtTarget, TeachingError> Teacher::finish(std::string_view name) const {
   if (frames() == 0) return unexpected(TeachingError::kNoFrames);
-  const auto& settings = body_->settings;
-  const auto points = body_->model.markers(settings.min_presence, settings.marker_diameter_m);
+  const auto points = body_->markers();
   if (points.size() < kMinMarkers) return unexpected(TeachingError::kTooFewMarkers);
+  auto lesson = networkOf(points, body_->keyframes.all());
+  auto& network = lesson.network;
+  if (areCollinear(network.markers_T)) return unexpected(TeachingError::kCollinear);
+  BundleAdjustment adjustment;
+  adjustment.adjust(network);
 
   TaughtTarget taught;
   taught.frames_used = body_->model.frames();
-  taught.frames_rejected = body_->rejected;
+  taught.frames_rejected = body_->frames - taught.frames_used;
   taught.target.name = name;
-  taught.target.marker_diameter_m = settings.marker_diameter_m;
-  auto& markers_T = taught.target.markers_T;
-  for (const auto& point : points) markers_T.push_back(point.mean_T);
-  if (areCollinear(markers_T)) return unexpected(TeachingError::kCollinear);
-  const Vector3d origin = centroid(markers_T);
-  for (auto& p : markers_T) p -= origin;
-  if (taught.frames_used < 2) return taught;
-  for (const auto& point : points) {
-    taught.target.markers_covariance_m2.push_back(covarianceOfMean(point));
-    taught.sigma_m = std::max(taught.sigma_m, largestSigma(taught.target.markers_covariance_m2.back()));
-  }
+  taught.target.marker_diameter_m = body_->settings.marker_diameter_m;
+  const Vector3d origin = centroid(network.markers_T);
+  for (const auto& p : network.markers_T) taught.target.markers_T.push_back(p - origin);
+  taught.skin_sigma_m = skinSigmas(network);
+  const bool is_known = network.frames.size() > 1 || body_->cloud.front().covariance_m2.trace() > 0.0;
+  if (!is_known) return taught;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    taught.target.markers_covariance_m2.push_back(adjustment.covarianceOf(i));
+  taught.sigma_m = largestSigma(adjustment, points.size());
   return taught;
 }
 
