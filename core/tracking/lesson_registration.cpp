@@ -48,9 +48,9 @@ std::optional<LessonRegistration::Fit> LessonRegistration::run(std::span<const R
       static_cast<int>(std::max(std::min<double>(kEnough, known), std::ceil(kLeastShare * known)));
   const ShapeFit* fit = &warm_.run(shape, cloud, expected());
   if (!fit->isAccepted() || fit->matched < kSafeShare * known) {
-    const RegistrationResult& found = search(cloud);
-    if (found.isAccepted() && (!fit->isAccepted() || found.matched > fit->matched))
-      fit = &warm_.run(shape, cloud, uncertain(found.X_YX, kFoundTurn_rad, kFoundShift_m));
+    const SearchResult& found = search(cloud);
+    if (found.verdict == SearchVerdict::kFound && (!fit->isAccepted() || found.best.matched > fit->matched))
+      fit = &warm_.run(shape, cloud, uncertain(found.best.X_CT, kFoundTurn_rad, kFoundShift_m));
   }
   if (!fit->isAccepted() || fit->matched < needed) return std::nullopt;
   step_T_ = X_CT_.inverse() * fit->pose.X_CT;
@@ -75,10 +75,10 @@ UncertainPose LessonRegistration::expected() const {
                    kShift_m + kShareOfStep * step_T_.translation().norm());
 }
 
-const RegistrationResult& LessonRegistration::search(std::span<const CloudPoint> cloud) {
-  std::vector<Eigen::Vector3d> y;
-  for (const auto& p : cloud) y.push_back(p.p_C);
-  return search_.search(markers_T_, y, {settings_.softassign, false, settings_.max_rms_m, 4});
+const SearchResult& LessonRegistration::search(std::span<const CloudPoint> cloud) {
+  const std::span<const Eigen::Vector3d> target = markers_T_;
+  search_.setTargets({&target, 1}, {&kSearchTolerance_m, 1});
+  return search_.run(cloud).front();
 }
 
 }  // namespace mirrorarm::tracking

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/tracking/registration.h"
+#include "core/tracking/constellation_search.h"
 #include "core/tracking/running_model.h"
 #include "core/tracking/warm_registration.h"
 
@@ -29,11 +29,11 @@ class LessonRegistration {
  private:
   void describe(std::span<const RunningModel::Point> points);
   [[nodiscard]] UncertainPose expected() const;
-  [[nodiscard]] const RegistrationResult& search(std::span<const CloudPoint> cloud);
+  [[nodiscard]] const SearchResult& search(std::span<const CloudPoint> cloud);
 
   WarmSettings settings_;
   WarmRegistration warm_;
-  Registration search_;
+  ConstellationSearch search_;
   RigidTransform X_CT_ = RigidTransform::Identity();    ///< at the last cloud that fitted
   RigidTransform step_T_ = RigidTransform::Identity();  ///< from the one before it to it
   std::vector<Eigen::Vector3d> markers_T_;
