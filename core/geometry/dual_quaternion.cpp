@@ -77,25 +77,49 @@ RigidTransform minimum(const Energy& energy) {
                        Vector3d((Wt * s).head<3>()));
 }
 
+/// Both clouds are laid about their own middle first: far from it, C3 and C1 would nearly cancel in A.
+struct Middles {
+  Vector3d x;
+  Vector3d y;
+
+  Middles(std::span<const Vector3d> xs, std::span<const Vector3d> ys) : x(middle(xs)), y(middle(ys)) {}
+
+  /// The pose of what was given, from that of what was laid about the middles.
+  [[nodiscard]] RigidTransform restore(RigidTransform X) const {
+    X.translation() += y - X.linear() * x;
+    return X;
+  }
+
+ private:
+  static Vector3d middle(std::span<const Vector3d> points) {
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& p : points) sum += p;
+    return points.empty() ? sum : Vector3d(sum / static_cast<double>(points.size()));
+  }
+};
+
 }  // namespace
 
 RigidTransform fitByDualQuaternion(std::span<const Vector3d> x, std::span<const Vector3d> y,
                                    std::span<const double> weights) {
   assert(x.size() == y.size() && x.size() == weights.size());
+  const Middles middles(x, y);
   Energy energy;
-  for (std::size_t i = 0; i < x.size(); ++i) energy.add(x[i], y[i], weights[i]);
-  return minimum(energy);
+  for (std::size_t i = 0; i < x.size(); ++i) energy.add(x[i] - middles.x, y[i] - middles.y, weights[i]);
+  return middles.restore(minimum(energy));
 }
 
 RigidTransform fitByDualQuaternion(std::span<const Vector3d> x, std::span<const Vector3d> y,
                                    const Eigen::Ref<const Eigen::MatrixXd>& weights) {
   assert(weights.rows() == static_cast<Eigen::Index>(x.size()));
   assert(weights.cols() == static_cast<Eigen::Index>(y.size()));
+  const Middles middles(x, y);
   Energy energy;
   for (std::size_t j = 0; j < x.size(); ++j)
     for (std::size_t k = 0; k < y.size(); ++k)
-      energy.add(x[j], y[k], weights(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)));
-  return minimum(energy);
+      energy.add(x[j] - middles.x, y[k] - middles.y,
+                 weights(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)));
+  return middles.restore(minimum(energy));
 }
 
 }  // namespace mirrorarm

@@ -13,6 +13,15 @@ static_assert(kMaxMarkers == 64);
 
 [[nodiscard]] constexpr MarkerSet markerBit(int marker) { return MarkerSet{1} << marker; }
 
+/// How many bits are set. Counted here: std::popcount is a call where the processor's own count may not be
+/// relied upon.
+[[nodiscard]] constexpr int countBits(std::uint64_t bits) {
+  bits -= (bits >> 1) & 0x5555555555555555;
+  bits = (bits & 0x3333333333333333) + ((bits >> 2) & 0x3333333333333333);
+  bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0f;
+  return static_cast<int>((bits * 0x0101010101010101) >> 56);
+}
+
 /// A set of points of one cloud.
 struct PointSet {
   std::uint64_t low = 0;
@@ -24,7 +33,7 @@ struct PointSet {
   }
   [[nodiscard]] constexpr bool isEmpty() const { return (low | high) == 0; }
   [[nodiscard]] constexpr bool holds(int point) const { return !(*this & of(point)).isEmpty(); }
-  [[nodiscard]] constexpr int count() const { return std::popcount(low) + std::popcount(high); }
+  [[nodiscard]] constexpr int count() const { return countBits(low) + countBits(high); }
 
   constexpr PointSet& operator|=(const PointSet& other) {
     low |= other.low;

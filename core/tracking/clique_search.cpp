@@ -33,7 +33,7 @@ void CliqueSearch::begin() {
   for (int marker = 0; marker < markers; ++marker) {
     PointSet supported;
     for (int point = 0; point < graph_->points(); ++point)
-      if (std::popcount(graph_->joined({marker, point})) + 1 >= least_) supported |= PointSet::of(point);
+      if (countBits(graph_->joined({marker, point})) + 1 >= least_) supported |= PointSet::of(point);
     candidates(0)[marker] = supported;
     if (!supported.isEmpty()) open |= markerBit(marker);
   }
@@ -42,7 +42,7 @@ void CliqueSearch::begin() {
 
 /// Decides one marker after the other: each of its candidates, then none of them.
 void CliqueSearch::expand(MarkerSet open, bool is_new) {
-  while (open != 0 && depth() + std::popcount(open) >= least_ && (is_new || holdNew(open))) {
+  while (open != 0 && depth() + countBits(open) >= least_ && (is_new || holdNew(open))) {
     const int marker = fewestPoints(open);
     open &= ~markerBit(marker);
     PointSet points = candidates(depth())[marker];
@@ -55,7 +55,7 @@ void CliqueSearch::expand(MarkerSet open, bool is_new) {
 }
 
 void CliqueSearch::choose(Pairing next, MarkerSet open, bool is_new) {
-  if (depth() + 1 + std::popcount(open & graph_->joined(next)) < least_) return;
+  if (depth() + 1 + countBits(open & graph_->joined(next)) < least_) return;
   open = keepNeighbours(next, open);
   is_new = is_new || !isKnown(next);
   chosen_.push_back(next);

@@ -72,12 +72,15 @@ void ConstellationFit::leaveOutMisfits(int least, Constellation& fit) {
 /// Pairs all markers anew with the points in their gates, the best fitting first; true when that changed any.
 bool ConstellationFit::gather(Constellation& fit) {
   candidates_.clear();
-  for (int marker = 0; marker < static_cast<int>(markers_T_.size()); ++marker)
+  for (int marker = 0; marker < static_cast<int>(markers_T_.size()); ++marker) {
+    const Vector3d expected_C = fit.X_CT * markers_T_[static_cast<std::size_t>(marker)];
     for (int point = 0; point < cloud_->size(); ++point) {
-      if (free_[static_cast<std::size_t>(point)] == 0) continue;
-      const double share = gate_.share(*cloud_, point, offset(fit, {marker, point}));
+      const Vector3d off_m = cloud_->at(point) - expected_C;
+      if (!gate_.mayReach(*cloud_, point, off_m) || free_[static_cast<std::size_t>(point)] == 0) continue;
+      const double share = gate_.share(*cloud_, point, off_m);
       if (share <= 1.0) candidates_.push_back({share, {marker, point}});
     }
+  }
   std::ranges::sort(candidates_, {}, &Candidate::share);
   gathered_.clear();
   for (const auto& [share, next] : candidates_) {

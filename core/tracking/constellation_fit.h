@@ -18,6 +18,12 @@ struct Gate {
 
   /// Misfit of a point in units of what is allowed: up to 1 it fits.
   [[nodiscard]] double share(const SearchCloud& cloud, int point, const Eigen::Vector3d& off_m) const;
+  /// False for a point that is surely farther away than `gates` times what is allowed.
+  [[nodiscard]] bool mayReach(const SearchCloud& cloud, int point, const Eigen::Vector3d& off_m,
+                              double gates = 1.0) const {
+    const double most_m = gates * (tolerance_m + sigmas * cloud.mostSigma(point));
+    return off_m.squaredNorm() <= most_m * most_m;
+  }
   /// Variance of a marker about its place in the model that the tolerance stands for: two such markers'
   /// distance varies as if it were spread evenly over the tolerance.
   [[nodiscard]] double modelVariance() const { return tolerance_m * tolerance_m / 6.0; }

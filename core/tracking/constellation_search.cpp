@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "core/tracking/distance_index.h"
 #include "core/tracking/target_search.h"
@@ -64,13 +65,16 @@ struct ConstellationSearch::Body {
 void ConstellationSearch::Body::listAgreements() {
   for (auto& each : agreements) each.clear();
   int room = kMostAgreements;
+  const double longest_m =
+      index.longest() + widest_tolerance_m + settings.sigmas * std::numbers::sqrt2 * cloud.mostSigma();
   for (int l = 1; l < cloud.size(); ++l)
     for (int k = 0; k < l; ++k) {
       const Vector3d between = cloud.at(l) - cloud.at(k);
-      const double distance_m = between.norm();
-      if (!(distance_m > 0.0) || shareADisc(cloud[k].discs, cloud[l].discs)) continue;
-      const double allowed_m =
-          settings.sigmas * std::hypot(cloud.sigmaAlong(k, between), cloud.sigmaAlong(l, between));
+      const double square = between.squaredNorm();
+      if (!(square > 0.0) || square > longest_m * longest_m || shareADisc(cloud[k].discs, cloud[l].discs))
+        continue;
+      const double distance_m = std::sqrt(square);
+      const double allowed_m = settings.sigmas * cloud.sigmaOfDistance(k, l, between);
       index.forEachNear(distance_m, allowed_m + widest_tolerance_m, [&](const DistanceIndex::Entry& entry) {
         if (!claims[entry.target].wanted || room == 0 ||
             std::abs(entry.distance_m - distance_m) > allowed_m + tolerances_m[entry.target])

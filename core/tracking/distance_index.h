@@ -24,6 +24,8 @@ class DistanceIndex {
   /// At most 65536 targets of at most kMaxMarkers.
   void build(std::span<const std::vector<Eigen::Vector3d>> targets_T);
 
+  /// Longest distance of all; 0 when there is none [m].
+  [[nodiscard]] double longest() const { return entries_.empty() ? 0.0 : entries_.back().distance_m; }
   /// Calls `visit(entry)` for every distance that differs from `distance_m` by at most `width_m`.
   template <class Visit>
   void forEachNear(double distance_m, double width_m, Visit visit) const {

@@ -30,18 +30,15 @@ double evenRadius(std::span<const CloudPoint> points) {
 void SearchCloud::take(std::span<const CloudPoint> cloud, double unknown_sigma_m) {
   const auto considered = cloud.first(std::min(cloud.size(), kMaxPoints));
   points_.assign(considered.begin(), considered.end());
+  most_sigma_m_.clear();
   typical_sigma_m_ = 0.0;
   for (auto& point : points_) {
     if (!isKnown(point.covariance_m2))
       point.covariance_m2 = unknown_sigma_m * unknown_sigma_m * Eigen::Matrix3d::Identity();
-    typical_sigma_m_ += std::sqrt(point.covariance_m2.trace() / 3.0) / static_cast<double>(points_.size());
+    most_sigma_m_.push_back(std::sqrt(point.covariance_m2.trace()));
+    typical_sigma_m_ += most_sigma_m_.back() / std::sqrt(3.0) / static_cast<double>(points_.size());
   }
   radius_m_ = evenRadius(points_);
-}
-
-double SearchCloud::sigmaAlong(int point, const Vector3d& direction) const {
-  const double square = direction.dot((*this)[point].covariance_m2 * direction) / direction.squaredNorm();
-  return std::sqrt(std::max(square, 0.0));
 }
 
 }  // namespace mirrorarm::tracking

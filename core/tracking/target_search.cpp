@@ -141,9 +141,12 @@ void TargetSearch::markExplained() {
   explained_.assign(sought_.markers_T.size(), {});
   for (std::size_t i = 0; i < explained_.size(); ++i) {
     const Vector3d expected_C = result_->best.X_CT * sought_.markers_T[i];
-    for (int point = 0; point < cloud.size(); ++point)
-      if (gate_.share(cloud, point, cloud.at(point) - expected_C) <= kGatesOfAPose)
+    for (int point = 0; point < cloud.size(); ++point) {
+      const Vector3d off_m = cloud.at(point) - expected_C;
+      if (gate_.mayReach(cloud, point, off_m, kGatesOfAPose) &&
+          gate_.share(cloud, point, off_m) <= kGatesOfAPose)
         explained_[i] |= PointSet::of(point);
+    }
   }
 }
 

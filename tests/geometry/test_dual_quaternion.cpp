@@ -52,6 +52,25 @@ TEST_F(DualQuaternion, IsTheLeastSquaresPoseOfKabsch) {
   }
 }
 
+// Flat clouds, thin ones and nearly regular rings, near the origin and far from it: eigenvalues lie close.
+TEST_F(DualQuaternion, IsThePoseOfKabschOnPlanarThinAndNearlySymmetricClouds) {
+  const Vector3d extents[] = {{0.1, 0.1, 1e-4}, {0.1, 0.1, 0.0}, {0.1, 0.01, 0.001}, {0.1, 0.005, 0.005}};
+  for (int trial = 0; trial < 4000; ++trial) {
+    const RigidTransform X = pose();
+    const int count = 4 + trial % 16;
+    Pairs p;
+    for (int i = 0; i < count; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / count;
+      const Vector3d ring(0.05 * std::cos(turn), 0.05 * std::sin(turn), 0.03 * (i % 2));
+      p.x.push_back(trial % 5 == 4 ? Vector3d(ring + gaussian(1e-5))
+                                   : Vector3d(gaussian(1.0).cwiseProduct(extents[trial % 5])));
+      p.y.push_back(X * p.x.back() + gaussian(1.5e-4));
+    }
+    const auto dual = fitByDualQuaternion(p.x, p.y, std::vector<double>(p.x.size(), 1.0));
+    ASSERT_LT((dual.matrix() - fitByKabsch(p.x, p.y).matrix()).norm(), 1e-9) << trial;
+  }
+}
+
 TEST_F(DualQuaternion, FindsThePoseThatMadeThePoints) {
   for (int trial = 0; trial < 100; ++trial) {
     const RigidTransform X = pose();
