@@ -12,8 +12,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kOwnPartFades_s = 1.0;
-constexpr double kLongestTrend = 3.0;   // usual steps over which amplitudes go on as they went
-constexpr double kMostOfLevel = 4.0;    // variance of a marker hidden for long, in that of its deviation
+constexpr double kLongestTrend = 3.0;               // usual steps over which amplitudes go on as they went
+constexpr double kMostUnseen_m2 = 0.0025 * 0.0025;  // wider gates take up strangers
+constexpr double kMostOfMode = 3.0;  // standard deviations that an amplitude told by few markers may have
+constexpr double kShowsAll = 0.75;   // of the markers, that a frame must show to teach how they go together
 constexpr double kFirstModeStep = 0.1;  // in shares of the modes' variance, before it is learnt
 
 int countOf(std::span<const SeenMarker> seen) {
@@ -28,7 +30,8 @@ void DeviationFilter::resize(std::size_t markers) {
   own_steps_.resize(markers);
   gauge_.resize(markers);
   modes_.resize(markers);
-  for (auto* field : {&now_, &before_, &expected_, &next_}) field->resize(markers, Vector3d::Zero());
+  for (auto* field : {&now_, &before_, &expected_, &next_, &own_}) field->resize(markers, Vector3d::Zero());
+  own_square_.resize(markers);
   last_seen_.resize(markers, time_);
 }
 
@@ -55,11 +58,11 @@ double DeviationFilter::framesHidden(std::size_t marker) const {
   return std::max(1.0, secondsBetween(last_seen_[marker], predicted_for_) / usual_step_.value());
 }
 
-/// What a marker does by itself while nobody looks, up to a change from end to end of what it ever did.
+/// What a marker does by itself while nobody looks, up to what it ever did.
 double DeviationFilter::ownVariance(std::size_t marker) const {
   const double own = own_steps_.of(marker);
   const double hidden = framesHidden(marker);
-  return std::max(own, std::min(own * hidden * hidden, kMostOfLevel * gauge_.variance(marker)));
+  return std::max(own, std::min({own * hidden * hidden, gauge_.variance(marker), kMostUnseen_m2}));
 }
 
 double DeviationFilter::variance(std::size_t marker) const {
@@ -69,7 +72,7 @@ double DeviationFilter::variance(std::size_t marker) const {
 void DeviationFilter::takeBodyMotionOff(std::span<SeenMarker> seen) {
   for (SeenMarker& marker : seen)
     marker.covariance_m2 = marker.sensor_m2 + variance(marker.marker) * Matrix3d::Identity();
-  fit_.run(seen, modes_, ModeVector::Zero());
+  fit_.run(seen, modes_, {});
 }
 
 void DeviationFilter::learn(std::span<SeenMarker> seen, std::span<const Vector3d> rest_T,
@@ -80,10 +83,13 @@ void DeviationFilter::learn(std::span<SeenMarker> seen, std::span<const Vector3d
       (usual_step_.count() < 1.0 || step.count() < kLongestTrend * usual_step_.value()))
     usual_step_.add(step.count(), share);
   next_ = expected_;
+  const auto markers = static_cast<double>(std::count(present.begin(), present.end(), 1));
+  shows_all_ = countOf(seen) >= kShowsAll * markers;
   if (countOf(seen) >= 3) {
     learnVariances(steps_, seen, step);
     estimate(seen);
     learnVariances(own_steps_, seen, step);
+    placeHidden(seen, rest_T, present, step.count());
   }
   learnMotion();
   before_ = now_;
@@ -108,7 +114,7 @@ void DeviationFilter::estimate(std::span<SeenMarker> seen) {
   for (SeenMarker& marker : seen)
     marker.covariance_m2 = marker.sensor_m2 + ownVariance(marker.marker) * Matrix3d::Identity();
   const double mode_step = mode_step_.count() > 0.0 ? mode_step_.value() : kFirstModeStep;
-  fit_.run(seen, modes_, mode_step * modes_.variances());
+  fit_.run(seen, modes_, {Matrix6::Zero(), mode_step * modes_.variances()});
   const ModeVector steps = fit_.amplitudeSteps();
   for (std::size_t i = 0; i < next_.size(); ++i) next_[i] += modes_.of(i) * steps;
   for (const SeenMarker& marker : seen) {
@@ -118,9 +124,41 @@ void DeviationFilter::estimate(std::span<SeenMarker> seen) {
   }
 }
 
+/// Hidden markers go along with the modes that explain best how far the seen ones are from rest now: steps
+/// alone would add up their errors.
+void DeviationFilter::placeHidden(std::span<SeenMarker> seen, std::span<const Vector3d> rest_T,
+                                  std::span<const char> present, double step_s) {
+  constexpr double least = 1e-12;
+  DeviationFit::Prior prior{Matrix6::Zero(), modes_.variances()};
+  for (std::size_t i = 0; i < next_.size(); ++i) {
+    const RigidRows rows = rigidRows(rest_T[i]);
+    prior.motion_information += rows.transpose() * rows / (own_square_[i].value() + least);
+  }
+  for (SeenMarker& marker : seen) {
+    marker.innovation = next_[marker.marker];
+    marker.covariance_m2 =
+        marker.sensor_m2 + (own_square_[marker.marker].value() + least) * Matrix3d::Identity();
+  }
+  fit_.run(seen, modes_, prior);
+  const ModeVector most = kMostOfMode * modes_.variances().cwiseSqrt();
+  const ModeVector amplitudes = fit_.amplitudeSteps().cwiseMin(most).cwiseMax(-most);
+  const Vector6 motion = fit_.motion();
+  const double fade = std::exp(-step_s / kOwnPartFades_s);
+  for (auto& own : own_) own *= fade;
+  for (const SeenMarker& marker : seen) {
+    own_[marker.marker] = marker.left_over;
+    if (shows_all_)
+      own_square_[marker.marker].add(marker.left_over.squaredNorm() / 3.0, step_s / memory_.count() + 1e-9);
+  }
+  hidden_.assign(present.begin(), present.end());
+  for (const SeenMarker& marker : seen) hidden_[marker.marker] = 0;
+  for (std::size_t i = 0; i < next_.size(); ++i)
+    if (hidden_[i] != 0) next_[i] = modes_.of(i) * amplitudes + rigidRows(rest_T[i]) * motion + own_[i];
+}
+
 /// How well amplitudes go on as they went, and how far they are off then.
 void DeviationFilter::learnMotion() {
-  if (modes_.areNone()) return;
+  if (modes_.areNone() || !shows_all_) return;
   const double share = 1.0 / 120.0;
   const ModeVector next = modes_.amplitudes(next_);
   trend_kept_.add((next - modes_.amplitudes(now_)).dot(trend_), share);
@@ -133,12 +171,15 @@ void DeviationFilter::learnShape(std::span<const Vector3d> rest_T, std::span<con
                                  double share) {
   gauge_.prepare(rest_T, present);
   gauge_.removeRigidPart(now_);
+  if (!shows_all_) return;
   gauge_.learn(now_, present, std::max(share, 1e-9));
   modes_.refit(gauge_);
   modes_.learn(now_, std::max(share, 1.0 / (1.0 + usual_step_.count())));
+  stiff_.learn(modes_, rest_T, present);
 }
 
 void DeviationFilter::giveToRest(double share, std::span<Vector3d> rest_T) {
+  if (!shows_all_) return;
   for (std::size_t i = 0; i < now_.size(); ++i) {
     const Vector3d given = share * now_[i];
     rest_T[i] += given;

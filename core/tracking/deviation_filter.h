@@ -10,6 +10,7 @@
 #include "core/tracking/deviation_modes.h"
 #include "core/tracking/excess_variance.h"
 #include "core/tracking/shape_gauge.h"
+#include "core/tracking/stiff_frame.h"
 
 namespace mirrorarm::tracking {
 
@@ -24,6 +25,9 @@ class DeviationFilter {
 
   /// Expects the deviations at `time`, from the last frame learnt.
   void predict(TimePoint time);
+  /// From the mean frame of all markers, in which deviations are told, to the frame of the stiff part, as
+  /// expected.
+  [[nodiscard]] RigidTransform stiffMotion() const { return stiff_.motion(amplitudes_expected_); }
   /// What is expected of a marker [m], and the variance of its innovation along an axis beyond the sensor
   /// [m^2]: it grows while the marker is hidden, up to what the marker has ever deviated.
   [[nodiscard]] const Eigen::Vector3d& expected(std::size_t marker) const { return expected_[marker]; }
@@ -37,7 +41,8 @@ class DeviationFilter {
   /// Learns a frame after takeBodyMotionOff(), from the markers that count.
   void learn(std::span<SeenMarker> seen, std::span<const Eigen::Vector3d> rest_T,
              std::span<const char> present);
-  /// Moves a share of the deviations into the rest shape, which is not changed as a whole.
+  /// Moves a share of the deviations into the rest shape, which is not moved as a whole; nothing after a
+  /// frame in which many markers were hidden.
   void giveToRest(double share, std::span<Eigen::Vector3d> rest_T);
   void add(std::size_t marker, const Eigen::Vector3d& deviation) { now_[marker] += deviation; }
 
@@ -53,6 +58,8 @@ class DeviationFilter {
   [[nodiscard]] double ownVariance(std::size_t marker) const;
   void learnVariances(ExcessVariance& variances, std::span<const SeenMarker> seen, Seconds step);
   void estimate(std::span<SeenMarker> seen);
+  void placeHidden(std::span<SeenMarker> seen, std::span<const Eigen::Vector3d> rest_T,
+                   std::span<const char> present, double step_s);
   void learnMotion();
   void learnShape(std::span<const Eigen::Vector3d> rest_T, std::span<const char> present, double share);
 
@@ -61,16 +68,21 @@ class DeviationFilter {
   ExcessVariance own_steps_;  ///< of what the modes leave of them
   ShapeGauge gauge_;
   DeviationModes modes_;
+  StiffFrame stiff_;
   DeviationFit fit_;
 
   std::vector<Eigen::Vector3d> now_, before_, expected_, next_;
+  std::vector<Eigen::Vector3d> own_;    ///< part of each that no mode explains
+  std::vector<FadingMean> own_square_;  ///< its mean square along an axis [m^2]
   std::vector<TimePoint> last_seen_;
+  std::vector<char> hidden_;
   ModeVector amplitudes_expected_ = ModeVector::Zero();
   ModeVector trend_ = ModeVector::Zero();  ///< step of the amplitudes, were they to go on as they went
   FadingMean usual_step_;                  ///< [s]
   FadingMean trend_kept_, trend_square_;   ///< how far amplitudes go on as they went
   FadingMean mode_step_;  ///< square of the amplitudes' innovation, in shares of their variance
   bool begun_ = false;
+  bool shows_all_ = false;  ///< the last frame showed nearly all markers
   TimePoint time_{}, time_before_{}, predicted_for_{};
 };
 

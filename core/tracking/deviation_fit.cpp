@@ -19,8 +19,7 @@ constexpr double kLeastStep_m2 = 1e-20;
 
 }  // namespace
 
-void DeviationFit::run(std::span<SeenMarker> seen, const DeviationModes& modes,
-                       const ModeVector& mode_steps_m2) {
+void DeviationFit::run(std::span<SeenMarker> seen, const DeviationModes& modes, const Prior& prior) {
   rows_.clear();
   information_.clear();
   for (SeenMarker& marker : seen) {
@@ -31,16 +30,17 @@ void DeviationFit::run(std::span<SeenMarker> seen, const DeviationModes& modes,
     marker.weight = marker.counts ? 1.0 : 0.0;
   }
   for (int round = 0; round < kMostRounds; ++round) {
-    solve(seen, mode_steps_m2);
+    solve(seen, prior);
     if (!reweight(seen)) break;
   }
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i].fitted_m2 = seen[i].weight * rows_[i] * covariance_ * rows_[i].transpose();
 }
 
-void DeviationFit::solve(std::span<const SeenMarker> seen, const ModeVector& mode_steps_m2) {
+void DeviationFit::solve(std::span<const SeenMarker> seen, const Prior& prior) {
   Normal normal = Normal::Zero();
-  normal.diagonal().tail<kModes>() = mode_steps_m2.cwiseMax(kLeastStep_m2).cwiseInverse();
+  normal.topLeftCorner<6, 6>() = prior.motion_information;
+  normal.diagonal().tail<kModes>() = prior.mode_steps_m2.cwiseMax(kLeastStep_m2).cwiseInverse();
   Unknowns right = Unknowns::Zero();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].weight <= 0.0) continue;

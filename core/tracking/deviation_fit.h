@@ -29,9 +29,14 @@ struct SeenMarker {
 /// with a prior. With half of the markers hidden this tells a turn of the arm from a twist of its skin.
 class DeviationFit {
  public:
-  /// `mode_steps_m2`: prior variance of each amplitude's step; zero keeps a mode still. At least 3 markers
-  /// that count, not on a line. Fills what the fit says into `seen`.
-  void run(std::span<SeenMarker> seen, const DeviationModes& modes, const ModeVector& mode_steps_m2);
+  /// What is known before: the motion is zero with this information, an amplitude's step is zero with this
+  /// variance [m^2]; a variance of zero keeps a mode still.
+  struct Prior {
+    Matrix6 motion_information = Matrix6::Zero();
+    ModeVector mode_steps_m2 = ModeVector::Zero();
+  };
+  /// At least 3 markers that count, not on a line. Fills what the fit says into `seen`.
+  void run(std::span<SeenMarker> seen, const DeviationModes& modes, const Prior& prior);
 
   /// Motion of the body, turn [rad] then shift [m], X_CT * exp(d).
   [[nodiscard]] Vector6 motion() const { return unknowns_.head<6>(); }
@@ -43,7 +48,7 @@ class DeviationFit {
   using Rows = Eigen::Matrix<double, 3, kUnknowns>;
   using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-  void solve(std::span<const SeenMarker> seen, const ModeVector& mode_steps_m2);
+  void solve(std::span<const SeenMarker> seen, const Prior& prior);
   bool reweight(std::span<SeenMarker> seen);
 
   std::vector<Rows> rows_;

@@ -27,6 +27,7 @@ ModeVector DeviationModes::amplitudes(std::span<const Eigen::Vector3d> deviation
 }
 
 void DeviationModes::learn(std::span<const Eigen::Vector3d> deviation, double share) {
+  last_turn_.setIdentity();
   const ModeVector amplitudes_now = amplitudes(deviation);
   double rest_square = 0.0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -55,6 +56,7 @@ void DeviationModes::rotate(const Update& covariance, double rest_norm) {
     variances_[k] = std::max(0.0, solver.eigenvalues()[kModes - k]);
     turn.col(k) = solver.eigenvectors().col(kModes - k);
   }
+  last_turn_ = turn.topRows<kModes>();
   const double scale = rest_norm < kLeastNorm_m ? 0.0 : 1.0 / rest_norm;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     rows_[i] = (rows_[i] * turn.topRows<kModes>() + scale * rest_[i] * turn.bottomRows<1>()).eval();

@@ -29,6 +29,8 @@ class DeviationModes {
   [[nodiscard]] const ModeVector& variances() const { return variances_; }
   [[nodiscard]] const ModeRows& of(std::size_t marker) const { return rows_[marker]; }
   [[nodiscard]] ModeVector amplitudes(std::span<const Eigen::Vector3d> deviation) const;
+  /// How the last learn() made new modes of the old ones, a column each.
+  [[nodiscard]] const Eigen::Matrix<double, kModes, kModes>& lastTurn() const { return last_turn_; }
   [[nodiscard]] bool areNone() const { return variances_[0] <= 0.0; }
 
  private:
@@ -39,6 +41,7 @@ class DeviationModes {
   std::vector<ModeRows> rows_;
   std::vector<Eigen::Vector3d> rest_;
   ModeVector variances_ = ModeVector::Zero();
+  Eigen::Matrix<double, kModes, kModes> last_turn_ = Eigen::Matrix<double, kModes, kModes>::Identity();
 };
 
 }  // namespace mirrorarm::tracking

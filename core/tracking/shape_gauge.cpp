@@ -5,12 +5,6 @@
 #include <Eigen/LU>
 
 namespace mirrorarm::tracking {
-namespace {
-
-constexpr double kFloorOfMean = 0.1;
-constexpr double kLeastVariance_m2 = 1e-10;  // (0.01 mm)^2: below it all are alike
-
-}  // namespace
 
 RigidRows rigidRows(const Eigen::Vector3d& p_T) {
   RigidRows rows;
@@ -33,17 +27,9 @@ void ShapeGauge::learn(std::span<const Eigen::Vector3d> deviations, std::span<co
 }
 
 void ShapeGauge::prepare(std::span<const Eigen::Vector3d> shape_T, std::span<const char> present) {
-  double sum = 0.0;
-  int count = 0;
+  Matrix6 normal = Matrix6::Zero();
   for (std::size_t i = 0; i < squares_.size(); ++i) {
-    if (present[i] == 0) continue;
-    sum += squares_[i].value();
-    ++count;
-  }
-  const double floor = std::max(kFloorOfMean * sum / std::max(count, 1), kLeastVariance_m2);
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t i = 0; i < squares_.size(); ++i) {
-    weights_[i] = present[i] != 0 ? floor / (squares_[i].value() + floor) : 0.0;
+    weights_[i] = present[i] != 0 ? 1.0 : 0.0;
     rows_[i] = rigidRows(shape_T[i]);
     normal += weights_[i] * rows_[i].transpose() * rows_[i];
   }

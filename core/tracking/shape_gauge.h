@@ -10,6 +10,7 @@
 namespace mirrorarm::tracking {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using RigidRows = Eigen::Matrix<double, 3, 6>;
 
 /// What a small motion d (turn [rad] then shift [m], X_CT * exp(d)) does to a point of T.
@@ -40,7 +41,7 @@ class ShapeGauge {
   std::vector<FadingMean> squares_;
   std::vector<double> weights_;
   std::vector<RigidRows> rows_;
-  Eigen::Matrix<double, 6, 6> inverse_ = Eigen::Matrix<double, 6, 6>::Zero();
+  Matrix6 inverse_ = Matrix6::Zero();
 };
 
 }  // namespace mirrorarm::tracking

@@ -23,7 +23,9 @@ constexpr double kUnknownSensor_m2 = 2e-5 * 2e-5;
 constexpr double kSigmasOfPlace = 4.0;
 constexpr double kStrangerMoves_m = 0.003;  // on the body, from frame to frame
 constexpr double kSlipReach_m = 0.025;      // how far a slip may carry a marker
+constexpr double kStray_m = 0.012;          // how far skin may carry one that is hidden
 constexpr Seconds kSlipTakes{0.15};         // a marker's end and its return elsewhere may lie so far apart
+constexpr double kShareToTellJumps = 0.6;
 constexpr double kToleranceSigmas = 3.0;
 
 /// Variance of a place that was taught by so few frames of a moving skin.
@@ -59,6 +61,10 @@ struct SkinModel::Body {
   SlipWatch slips;
   WideMatch wide;
 
+  // Deviations are told in the mean frame G of all markers; the frame T that is shown is carried by the
+  // stiff ones. At rest they are one.
+  RigidTransform X_TG = RigidTransform::Identity();
+  std::vector<Vector3d> shape_G;
   std::vector<Vector3d> shape_T;
   std::vector<Matrix3d> covariance_m2;
   std::vector<double> variances_m2;
@@ -67,21 +73,24 @@ struct SkinModel::Body {
   std::vector<char> is_free;  ///< a flag for each point of it
   TimePoint now{};
   bool observed = false;
+  std::optional<RigidTransform> found_pose;
 
   Body(const Target& taught, const SkinSettings& skin);
   void resize();
   void shapeFromParts();
   void collect(const SkinObservation& frame);
-  void addSeen(const SkinObservation& frame, const RigidTransform& X_TC, std::size_t marker, int point);
+  void addSeen(const SkinObservation& frame, const RigidTransform& X_GC, std::size_t marker, int point);
   [[nodiscard]] int pointNear(const SkinObservation& frame, const RigidTransform& X_TC,
                               std::size_t marker) const;
+  [[nodiscard]] bool canTellJumps() const;
   void takeJumps();
   void learn(const SkinObservation& frame);
   void adaptRest(Seconds step);
   void watchStrangers(const SkinObservation& frame);
   bool judgeSlips();
-  [[nodiscard]] bool mayBe(std::size_t marker, const Stranger& stranger) const;
-  bool takeSlippedStrangers();
+  [[nodiscard]] bool replaces(std::size_t marker, const Stranger& stranger) const;
+  [[nodiscard]] std::size_t markerAt(const Stranger& stranger) const;
+  bool takeUpStrays();
   bool addMarker();
   [[nodiscard]] bool belongsToBody(const Stranger& stranger) const;
   SkinEvent conclude(const SkinObservation& frame, Seconds step);
@@ -105,6 +114,7 @@ void SkinModel::Body::resize() {
   filter.resize(markers);
   presence.resize(markers);
   slips.resize(markers);
+  shape_G.resize(markers);
   shape_T.resize(markers);
   covariance_m2.resize(markers);
   variances_m2.resize(markers);
@@ -113,10 +123,14 @@ void SkinModel::Body::resize() {
 }
 
 void SkinModel::Body::shapeFromParts() {
-  for (std::size_t i = 0; i < shape_T.size(); ++i) {
-    shape_T[i] = target.markers_T[i] + slips.offset(i) + filter.expected(i);
+  X_TG = filter.stiffMotion();
+  const Matrix3d R_TG = X_TG.linear();
+  for (std::size_t i = 0; i < shape_G.size(); ++i) {
+    shape_G[i] = target.markers_T[i] + slips.offset(i) + filter.expected(i);
+    shape_T[i] = X_TG * shape_G[i];
     variances_m2[i] = filter.variance(i);
-    covariance_m2[i] = target.markers_covariance_m2[i] + variances_m2[i] * Matrix3d::Identity();
+    covariance_m2[i] =
+        R_TG * target.markers_covariance_m2[i] * R_TG.transpose() + variances_m2[i] * Matrix3d::Identity();
   }
 }
 
@@ -127,37 +141,37 @@ void SkinModel::Body::collect(const SkinObservation& frame) {
   for (std::size_t k = 0; k < frame.cloud.size(); ++k) is_free[k] = frame.taken[k] == 0 ? 1 : 0;
   std::fill(is_seen.begin(), is_seen.end(), 0);
   seen.clear();
-  const RigidTransform X_TC = frame.X_CT.inverse();
+  const RigidTransform X_GC = (frame.X_CT * X_TG).inverse();
   for (std::size_t i = 0; i < frame.point_of_marker.size(); ++i)
-    addSeen(frame, X_TC, i, frame.point_of_marker[i]);
+    addSeen(frame, X_GC, i, frame.point_of_marker[i]);
   // One that has fallen off is not looked for by others.
-  for (std::size_t i = 0; i < shape_T.size(); ++i)
-    if (presence.present()[i] == 0 && is_seen[i] == 0) addSeen(frame, X_TC, i, pointNear(frame, X_TC, i));
+  for (std::size_t i = 0; i < shape_G.size(); ++i)
+    if (presence.present()[i] == 0 && is_seen[i] == 0) addSeen(frame, X_GC, i, pointNear(frame, X_GC, i));
 }
 
-void SkinModel::Body::addSeen(const SkinObservation& frame, const RigidTransform& X_TC, std::size_t marker,
+void SkinModel::Body::addSeen(const SkinObservation& frame, const RigidTransform& X_GC, std::size_t marker,
                               int point) {
   if (point < 0) return;
   const CloudPoint& measured = frame.cloud[static_cast<std::size_t>(point)];
   is_free[static_cast<std::size_t>(point)] = 0;
   is_seen[marker] = 1;
   if (presence.present()[marker] == 0) return;
-  const Matrix3d sensor_m2 = X_TC.linear() * measured.covariance_m2 * X_TC.linear().transpose();
+  const Matrix3d sensor_m2 = X_GC.linear() * measured.covariance_m2 * X_GC.linear().transpose();
   SeenMarker& added = seen.emplace_back();
   added.marker = marker;
-  added.place_T = shape_T[marker];
-  added.innovation = X_TC * measured.p_C - shape_T[marker];
+  added.place_T = shape_G[marker];
+  added.innovation = X_GC * measured.p_C - shape_G[marker];
   added.sensor_m2 = sensor_m2 + target.markers_covariance_m2[marker];
   if (sensor_m2.isZero(0.0)) added.sensor_m2 += kUnknownSensor_m2 * Matrix3d::Identity();
 }
 
-int SkinModel::Body::pointNear(const SkinObservation& frame, const RigidTransform& X_TC,
+int SkinModel::Body::pointNear(const SkinObservation& frame, const RigidTransform& X_GC,
                                std::size_t marker) const {
   const double gate = kStrangerMoves_m + kSigmasOfPlace * std::sqrt(variances_m2[marker]);
   double least = gate * gate;
   int nearest = -1;
   for (std::size_t k = 0; k < frame.cloud.size(); ++k) {
-    const double square = (X_TC * frame.cloud[k].p_C - shape_T[marker]).squaredNorm();
+    const double square = (X_GC * frame.cloud[k].p_C - shape_G[marker]).squaredNorm();
     if (is_free[k] == 0 || square >= least) continue;
     least = square;
     nearest = static_cast<int>(k);
@@ -165,7 +179,17 @@ int SkinModel::Body::pointNear(const SkinObservation& frame, const RigidTransfor
   return nearest;
 }
 
+/// When most of the markers have just come out of hiding nothing tells a jump from what the hiding hid.
+bool SkinModel::Body::canTellJumps() const {
+  const auto before = std::count_if(seen.begin(), seen.end(), [this](const SeenMarker& marker) {
+    return filter.wasSeenJustNow(marker.marker);
+  });
+  const auto markers = std::count(presence.present().begin(), presence.present().end(), 1);
+  return static_cast<double>(before) >= kShareToTellJumps * static_cast<double>(markers);
+}
+
 void SkinModel::Body::takeJumps() {
+  if (!canTellJumps()) return;
   for (SeenMarker& marker : seen) {
     const std::size_t i = marker.marker;
     const double sigma = std::sqrt(marker.covariance_m2.trace() / 3.0);
@@ -189,17 +213,17 @@ void SkinModel::Body::adaptRest(Seconds step) {
 
 /// What is left of the cloud, near the body.
 void SkinModel::Body::watchStrangers(const SkinObservation& frame) {
-  const RigidTransform X_TC = frame.X_CT.inverse();
+  const RigidTransform X_GC = (frame.X_CT * X_TG).inverse();
   strangers.begin(now, kStrangerMoves_m + kSigmasOfPlace * std::sqrt(filter.pooledVariance()));
   for (std::size_t k = 0; k < frame.cloud.size(); ++k)
-    if (is_free[k] != 0) strangers.seen(X_TC * frame.cloud[k].p_C, frame.cloud[k].p_C);
+    if (is_free[k] != 0) strangers.seen(X_GC * frame.cloud[k].p_C, frame.cloud[k].p_C);
   strangers.end();
 }
 
 /// Jumps that last become the rest shape: the sleeve has been laid anew.
 bool SkinModel::Body::judgeSlips() {
   bool slipped = false;
-  for (std::size_t i = 0; i < shape_T.size(); ++i) {
+  for (std::size_t i = 0; i < shape_G.size(); ++i) {
     const auto verdict = slips.judge(i, filter.deviations()[i], now);
     if (verdict == SlipWatch::Verdict::kNone) continue;
     if (verdict == SlipWatch::Verdict::kUndone)
@@ -212,52 +236,62 @@ bool SkinModel::Body::judgeSlips() {
   return slipped;
 }
 
-/// True when the stranger appeared about when the marker vanished, and has stayed for the time of a slip.
-bool SkinModel::Body::mayBe(std::size_t marker, const Stranger& stranger) const {
-  const Seconds age = now - stranger.first_seen;
-  const Seconds gap = presence.missing(marker) - age;
-  return stranger.alive && stranger.last_seen == now && age >= settings.slip_time && is_seen[marker] == 0 &&
-         presence.present()[marker] != 0 && std::abs(gap.count()) <= kSlipTakes.count();
+/// The stranger appeared about when the marker vanished.
+bool SkinModel::Body::replaces(std::size_t marker, const Stranger& stranger) const {
+  const Seconds gap = presence.missing(marker) - (now - stranger.first_seen);
+  return std::abs(gap.count()) <= kSlipTakes.count();
 }
 
-/// A marker that vanished where a stranger appeared soon after beside it, and stays, is out of the fit's
-/// reach: it has slipped, or so little is learnt yet that skin alone has carried it there. The nearest first.
-bool SkinModel::Body::takeSlippedStrangers() {
+/// The unseen marker whose place is nearest to a stranger that has stayed for the time of a slip, if that
+/// is near enough; else as many as there are markers.
+std::size_t SkinModel::Body::markerAt(const Stranger& stranger) const {
+  const std::size_t none = shape_G.size();
+  if (!stranger.alive || stranger.last_seen != now || now - stranger.first_seen < settings.slip_time)
+    return none;
+  double least = kSlipReach_m;
+  std::size_t nearest = none;
+  for (std::size_t i = 0; i < shape_G.size(); ++i) {
+    const double distance = (shape_G[i] - stranger.last_T).norm();
+    if (is_seen[i] != 0 || presence.present()[i] == 0 || distance >= least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest < none && (least < kStray_m || replaces(nearest, stranger)) ? nearest : none;
+}
+
+/// A stranger that stays beside the place of a marker that is not seen is that marker, out of the fit's
+/// reach. When it appeared as the marker vanished the marker has slipped; else the skin has carried it there
+/// while it was hidden, or so little is learnt yet that this cannot be told.
+bool SkinModel::Body::takeUpStrays() {
   bool slipped = false;
-  for (;;) {
-    double least = kSlipReach_m;
-    std::size_t of_least = 0, marker = shape_T.size();
-    for (std::size_t k = 0; k < StrangerWatch::kMostStrangers; ++k)
-      for (std::size_t i = 0; i < shape_T.size(); ++i) {
-        const double distance = (shape_T[i] - strangers.strangers()[k].last_T).norm();
-        if (distance >= least || !mayBe(i, strangers.strangers()[k])) continue;
-        least = distance;
-        of_least = k;
-        marker = i;
-      }
-    if (marker == shape_T.size()) return slipped;
-    const Vector3d moved = strangers.strangers()[of_least].last_T - shape_T[marker];
-    if (slips.isArmed())
+  for (std::size_t k = 0; k < StrangerWatch::kMostStrangers; ++k) {
+    const Stranger& stranger = strangers.strangers()[k];
+    const std::size_t marker = markerAt(stranger);
+    if (marker >= shape_G.size()) continue;
+    const Vector3d moved = stranger.last_T - shape_G[marker];
+    const bool is_slip = slips.isArmed() && replaces(marker, stranger);
+    if (is_slip)
       target.markers_T[marker] += moved;
     else
       filter.add(marker, moved);
-    slipped = slipped || slips.isArmed();
+    slipped = slipped || is_slip;
     slips.forget(marker);
-    strangers.forget(of_least);
+    strangers.forget(k);
     is_seen[marker] = 1;
   }
+  return slipped;
 }
 
 /// Within the extent of the markers: no farther from the nearest one than the loneliest of them from its own.
 bool SkinModel::Body::belongsToBody(const Stranger& stranger) const {
   double loneliest = 0.0, nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < shape_T.size(); ++i) {
+  for (std::size_t i = 0; i < shape_G.size(); ++i) {
     if (presence.present()[i] == 0) continue;
     double next = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < shape_T.size(); ++j)
-      if (j != i) next = std::min(next, (shape_T[i] - shape_T[j]).norm());
+    for (std::size_t j = 0; j < shape_G.size(); ++j)
+      if (j != i) next = std::min(next, (shape_G[i] - shape_G[j]).norm());
     loneliest = std::max(loneliest, next);
-    nearest = std::min(nearest, (shape_T[i] - stranger.last_T).norm());
+    nearest = std::min(nearest, (shape_G[i] - stranger.last_T).norm());
   }
   return nearest > target.marker_diameter_m && nearest <= loneliest;
 }
@@ -265,7 +299,7 @@ bool SkinModel::Body::belongsToBody(const Stranger& stranger) const {
 bool SkinModel::Body::addMarker() {
   if (target.markers_T.size() >= static_cast<std::size_t>(kMaxMarkers)) return false;
   double skin_m2 = 0.0;
-  for (std::size_t i = 0; i < shape_T.size(); ++i) skin_m2 = std::max(skin_m2, filter.levelVariance(i));
+  for (std::size_t i = 0; i < shape_G.size(); ++i) skin_m2 = std::max(skin_m2, filter.levelVariance(i));
   for (std::size_t k = 0; k < StrangerWatch::kMostStrangers; ++k) {
     const Stranger stranger = strangers.strangers()[k];
     if (stranger.last_seen != now || !StrangerWatch::movesWithBody(stranger, settings.adding_time, skin_m2) ||
@@ -287,7 +321,7 @@ SkinEvent SkinModel::Body::conclude(const SkinObservation& frame, Seconds step) 
   const bool found = presence.finds(is_seen);
   const bool lost = presence.loses(is_seen, frame.in_view, step);
   const bool jumped = judgeSlips();
-  const bool slipped = takeSlippedStrangers() || jumped;
+  const bool slipped = takeUpStrays() || jumped;
   const bool added = addMarker();
   if (slipped || added) ++version;
   adaptRest(step);
@@ -323,12 +357,16 @@ SkinEvent SkinModel::observe(const SkinObservation& seen) {
 SkinEvent SkinModel::observeMisfit(const SkinObservation& seen) {
   Body& body = *body_;
   const WideMatch::Body shape{body.shape_T, body.presence.present(), body.variances_m2};
+  body.found_pose.reset();
   if (!body.wide.run(shape, seen.X_CT, seen.cloud, seen.taken)) return SkinEvent::kNone;
+  body.found_pose = body.wide.pose();
   SkinObservation found = seen;
   found.X_CT = body.wide.pose();
   found.point_of_marker = body.wide.pointOfMarker();
   return observe(found);
 }
+
+const std::optional<RigidTransform>& SkinModel::foundPose() const { return body_->found_pose; }
 
 std::span<const Vector3d> SkinModel::shape_T() const { return body_->shape_T; }
 std::span<const Matrix3d> SkinModel::covariance_m2() const { return body_->covariance_m2; }

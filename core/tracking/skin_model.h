@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <Eigen/Core>
@@ -51,8 +52,12 @@ class SkinModel {
   /// Learns from a frame with an accepted pose, all since predict().
   SkinEvent observe(const SkinObservation& seen);
   /// A frame near the last known pose that the shape does not fit any more, with enough points for it:
-  /// matches are looked for as wide as skin moves, and when they last the shape is taught anew (kSlipped).
+  /// matches are looked for as wide as skin moves. When they are found shape_T() goes where they are at once
+  /// and foundPose() tells from where the fit may be tried again in the same frame; when they last the shape
+  /// is taught anew (kSlipped). `X_CT` is the predicted pose; `point_of_marker` is not read.
   SkinEvent observeMisfit(const SkinObservation& seen);
+  /// The pose at which the last observeMisfit() found the markers; nothing when it did not.
+  [[nodiscard]] const std::optional<RigidTransform>& foundPose() const;
 
   /// Where each marker is expected now, in T [m], and how sure that is: taught precision and deviation.
   [[nodiscard]] std::span<const Eigen::Vector3d> shape_T() const;

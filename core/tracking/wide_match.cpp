@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
+#include "core/tracking/stiff_frame.h"
 #include "core/tracking/tracked_target.h"
 
 namespace mirrorarm::tracking {
@@ -18,14 +17,8 @@ constexpr double kNeighbour_m = 0.040;
 constexpr double kCrude_m2 = 0.002 * 0.002;  // of a first match
 constexpr double kLeastShare = 0.4;          // of the markers that must be found
 constexpr int kLeastFound = 4;
+constexpr double kBetaFactor = 1.5;
 constexpr int kStepsARound = 2;
-
-RigidTransform smallMotion(const Vector6& motion) {
-  const Vector3d turn = motion.head<3>();
-  const double angle = turn.norm();
-  const Vector3d axis = angle > 0.0 ? Vector3d(turn / angle) : Vector3d::UnitX();
-  return makeTransform(Eigen::AngleAxisd(angle, axis).toRotationMatrix(), motion.tail<3>());
-}
 
 }  // namespace
 
@@ -34,6 +27,7 @@ bool WideMatch::run(const Body& body, const RigidTransform& X_CT, std::span<cons
   X_CT_ = X_CT;
   collect(body, cloud, taken);
   const double needed = std::max<double>(kLeastFound, kLeastShare * static_cast<double>(markers_.size()));
+  assignSoftly();
   for (const double gate_m : kGates_m) {
     pair(gate_m);
     if (static_cast<double>(seen_.size()) < needed) return false;
@@ -72,6 +66,16 @@ void WideMatch::collect(const Body& body, std::span<const CloudPoint> cloud, std
   }
 }
 
+/// The paper's correspondences decide all together, for the nearest point may be a neighbour's.
+void WideMatch::assignSoftly() {
+  SoftassignSettings wide;
+  wide.tolerated_distance_m = kSkinMoves_m;
+  constexpr double kSkinMoves_mm = 1e3 * kSkinMoves_m;
+  wide.beta_start = 0.5 / (kSkinMoves_mm * kSkinMoves_mm);
+  wide.beta_factor = kBetaFactor;
+  X_CT_ = softassign_.run(places_T_, points_C_, wide, X_CT_).X_YX;
+}
+
 void WideMatch::pair(double gate_m) {
   association_.pair(places_T_, points_C_, X_CT_, gate_m, pairs_, discs_);
   seen_.clear();
@@ -93,7 +97,7 @@ void WideMatch::fit(const Body& body) {
     marker.innovation = X_TC * points_C_[static_cast<std::size_t>(pairs_[i])] - marker.place_T;
     marker.covariance_m2 = (body.variances_m2[markers_[i]] + kCrude_m2) * Eigen::Matrix3d::Identity();
   }
-  fit_.run(seen_, none_, ModeVector::Zero());
+  fit_.run(seen_, none_, {});
   X_CT_ = X_CT_ * smallMotion(fit_.motion());
 }
 

@@ -9,11 +9,12 @@
 #include "core/tracking/association.h"
 #include "core/tracking/cloud_point.h"
 #include "core/tracking/deviation_fit.h"
+#include "core/tracking/softassign.h"
 
 namespace mirrorarm::tracking {
 
-/// Finds the markers of a shape that has changed as far as skin moves (20 mm), near a known pose: nearest
-/// points first, then a robust pose by those that kept their places best, then along with what the
+/// Finds the markers of a shape that has changed as far as skin moves (20 mm), near a known pose: the paper's
+/// softassign first, then a robust pose by those that kept their places best, then along with what the
 /// neighbours of each marker have moved, for a sleeve moves together. Keeps its buffers.
 class WideMatch {
  public:
@@ -31,6 +32,7 @@ class WideMatch {
 
  private:
   void collect(const Body& body, std::span<const CloudPoint> cloud, std::span<const char> taken);
+  void assignSoftly();
   void pair(double gate_m);
   void fit(const Body& body);
   void followNeighbours(const Body& body);
@@ -40,6 +42,7 @@ class WideMatch {
   std::vector<SeenDiscs> discs_;
   std::vector<int> pairs_, point_of_marker_;
   std::vector<SeenMarker> seen_;
+  Softassign softassign_;
   Association association_;
   DeviationFit fit_;
   DeviationModes none_;
