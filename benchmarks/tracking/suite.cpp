@@ -7,7 +7,9 @@ Suite suite() {
           "Tracking, from points to poses",
           {{"registration", "One target from nothing, any rotation", measureRegistration},
            {"bodies", "Several targets from nothing", measureBodies},
-           {"false-pose", "Poses found where the target is not", measureFalsePoses}}};
+           {"false-pose", "Poses found where the target is not", measureFalsePoses},
+           {"pose", "Pose of a target of ten markers at 400 mm, given the rig", measurePose},
+           {"prediction", "Prediction of a limb's place from its last poses", measurePrediction}}};
 }
 
 }  // namespace mirrorarm::benchmarks::tracking

@@ -10,5 +10,7 @@ namespace mirrorarm::benchmarks::tracking {
 void measureRegistration(Run& run);
 void measureBodies(Run& run);
 void measureFalsePoses(Run& run);
+void measurePose(Run& run);
+void measurePrediction(Run& run);
 
 }  // namespace mirrorarm::benchmarks::tracking
