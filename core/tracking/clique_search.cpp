@@ -5,6 +5,8 @@
 namespace mirrorarm::tracking {
 namespace {
 
+constexpr int kMarkersOfAStep = 8;  // whose candidates are looked through in the time of one step
+
 int takeFirst(MarkerSet& markers) {
   const int marker = std::countr_zero(markers);
   markers &= markers - 1;
@@ -55,7 +57,9 @@ void CliqueSearch::expand(MarkerSet open, bool is_new) {
 }
 
 void CliqueSearch::choose(Pairing next, MarkerSet open, bool is_new) {
-  if (depth() + 1 + countBits(open & graph_->joined(next)) < least_) return;
+  const int joined = countBits(open & graph_->joined(next));
+  if (depth() + 1 + joined < least_) return;
+  *steps_ -= joined / kMarkersOfAStep;
   open = keepNeighbours(next, open);
   is_new = is_new || !isKnown(next);
   chosen_.push_back(next);

@@ -26,7 +26,8 @@ class CliqueSearch {
  public:
   /// Tells `judge` of cliques of at least `least` pairings that hold a pairing outside `known` (a set of
   /// points for each marker; empty: every clique). `steps` counts down with every pairing
-  /// looked at, may be lowered by the judge for its own work, and ends the search below 1: false then.
+  /// looked at, and with the candidates looked through for it, may be lowered by the judge for its own work,
+  /// and ends the search below 1: false then.
   [[nodiscard]] bool run(const CompatibilityGraph& graph, int least, std::span<const PointSet> known,
                          CliqueJudge& judge, int& steps);
 

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Bounds what a degenerate cloud (a grid, copies of one point) may cost.
-constexpr int kMostAgreements = 2'000'000;
+// Bounds what a degenerate target or cloud (a grid, copies of one point) may cost.
+constexpr std::size_t kMostAgreements = 600'000;
 // Two targets that share so many points claim the same place; fewer may be a stranger's accident.
 constexpr int kPointsOfAPlace = 3;
 
@@ -54,7 +54,6 @@ struct ConstellationSearch::Body {
   DistanceIndex index;
   SearchCloud cloud;
   std::vector<std::vector<Agreement>> agreements;
-  bool too_many_agreements = false;
   TargetSearch search;
   std::vector<char> free;
   std::vector<Claim> claims;
@@ -64,7 +63,6 @@ struct ConstellationSearch::Body {
 /// Looks every distance of the cloud up in the targets'.
 void ConstellationSearch::Body::listAgreements() {
   for (auto& each : agreements) each.clear();
-  int room = kMostAgreements;
   const double longest_m =
       index.longest() + widest_tolerance_m + settings.sigmas * std::numbers::sqrt2 * cloud.mostSigma();
   for (int l = 1; l < cloud.size(); ++l)
@@ -76,20 +74,19 @@ void ConstellationSearch::Body::listAgreements() {
       const double distance_m = std::sqrt(square);
       const double allowed_m = settings.sigmas * cloud.sigmaOfDistance(k, l, between);
       index.forEachNear(distance_m, allowed_m + widest_tolerance_m, [&](const DistanceIndex::Entry& entry) {
-        if (!claims[entry.target].wanted || room == 0 ||
-            std::abs(entry.distance_m - distance_m) > allowed_m + tolerances_m[entry.target])
-          return;
-        --room;
-        agreements[entry.target].push_back(
-            {entry.a, entry.b, static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(l)});
+        auto& of_target = agreements[entry.target];
+        if (claims[entry.target].wanted && of_target.size() < kMostAgreements &&
+            std::abs(entry.distance_m - distance_m) <= allowed_m + tolerances_m[entry.target])
+          of_target.push_back({entry.a, entry.b, static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(l)});
       });
     }
-  too_many_agreements = room == 0;
 }
 
 void ConstellationSearch::Body::seek(std::size_t target) {
-  search.run({targets[target], tolerances_m[target], &cloud, agreements[target], free}, results[target]);
-  if (too_many_agreements) results[target].verdict = SearchVerdict::kCutOff;
+  if (agreements[target].size() < kMostAgreements)
+    search.run({targets[target], tolerances_m[target], &cloud, agreements[target], free}, results[target]);
+  else
+    results[target].verdict = SearchVerdict::kCutOff;
 }
 
 /// The surest fit takes its points; one that wanted some of them is sought anew among the rest.
@@ -119,12 +116,16 @@ bool ConstellationSearch::Body::needsTakenPoints(std::size_t target) const {
   });
 }
 
+/// What chance may have made is no rival.
 void ConstellationSearch::Body::compareWithRivals(std::size_t target) {
+  if (results[target].verdict == SearchVerdict::kTooFewMarkers) return;
   const double clear_odds = -std::log(settings.max_chance);
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (i == target || !claims[i].wanted || claims[i].decided || results[i].best.matched == 0) continue;
-    if (sharedPoints(results[target].best, results[i].best, cloud) < kPointsOfAPlace) continue;
-    if (results[target].best.evidence - results[i].best.evidence >= clear_odds) continue;
+    if (i == target || !claims[i].wanted || claims[i].decided ||
+        results[i].verdict == SearchVerdict::kTooFewMarkers ||
+        sharedPoints(results[target].best, results[i].best, cloud) < kPointsOfAPlace ||
+        results[target].best.evidence - results[i].best.evidence >= clear_odds)
+      continue;
     for (const std::size_t each : {target, i})
       if (results[each].verdict == SearchVerdict::kFound) results[each].verdict = SearchVerdict::kAmbiguous;
     claims[i].decided = true;
@@ -177,8 +178,7 @@ std::span<const SearchResult> ConstellationSearch::run(std::span<const CloudPoin
     body.claims[i] = {wanted.empty() || wanted[i] != 0, false};
   body.listAgreements();
   for (std::size_t i = 0; i < body.targets.size(); ++i) {
-    body.results[i].verdict = SearchVerdict::kTooFewMarkers;
-    body.results[i].best.matched = body.results[i].runner_up.matched = 0;
+    forget(body.results[i], body.targets[i].size());
     if (body.claims[i].wanted) body.seek(i);
   }
   body.settleClaims();

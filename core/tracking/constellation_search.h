@@ -20,15 +20,16 @@ struct ConstellationSettings {
   double unknown_sigma_m = 0.0002;  ///< of a point without covariance, in each direction
   /// Fits that chance alone would give in such a cloud, expected number a frame: more than this is no proof.
   double max_chance = 1e-3;
-  int max_steps = 200'000;  ///< of one target's search: time is bounded whatever a cloud holds
+  /// Of one target's search: time is bounded whatever a cloud holds. A step takes some 50 to 150 ns.
+  int max_steps = 200'000;
 };
 
 /// Why the best fit of a target was not taken.
 enum class SearchVerdict : std::uint8_t {
   kFound,
-  kTooFewMarkers,  ///< no 4 points lie like markers of the target, or a chance fit is as likely as it
+  kTooFewMarkers,  ///< no 4 points lie like markers of the target, or chance alone may have made the fit
   kAmbiguous,      ///< another pose, or another target, explains the points as well
-  kCutOff,         ///< the search was stopped by max_steps before anything was proven
+  kCutOff,         ///< stopped by max_steps before its best fit was proven the largest and the only one
 };
 
 /// One way a target may lie in a cloud.
@@ -47,7 +48,7 @@ struct Constellation {
 /// What a search says of one target.
 struct SearchResult {
   SearchVerdict verdict = SearchVerdict::kTooFewMarkers;
-  Constellation best;       ///< good when found or ambiguous
+  Constellation best;       ///< good when found; one of several when ambiguous; else a guess at most
   Constellation runner_up;  ///< the best one in another pose; matched is 0 when there is none
 };
 
@@ -57,9 +58,14 @@ struct SearchResult {
 /// as their points do. A set of pairs that all agree is a clique; the largest one is found on bit sets,
 /// exactly, with the number of different markers among the candidates as bound. Distances of all targets lie
 /// in one index, so that each distance of the cloud is looked up once. A clique whose rigid fit is bad (a
-/// mirror image) is passed over. Source: Bron, Kerbosch, CACM 16, 1973; Tomita, Seki, DMTCS 2003; San Segundo
-/// et al., Computers and Operations Research 38(2), 2011; the clique for point sets: Yang, Shi, Carlone,
-/// TEASER, T-RO 37(2), 2021.
+/// mirror image) is passed over. Of points that share a disc one at most is matched.
+///
+/// Taken for found is a fit of at least 4 markers (3 where the target has no more and the cloud no more than
+/// 5 points) that chance would make less than max_chance times a frame, and whose odds against any other pose
+/// and against any other target that wants the same points are better than 1 / max_chance: the number of
+/// markers counts first, then their misfits. Targets whose markers lie on a line are never found. Source:
+/// Bron, Kerbosch, CACM 16, 1973; Tomita, Seki, DMTCS 2003; San Segundo et al., Computers and Operations
+/// Research 38(2), 2011; the clique for point sets: Yang, Shi, Carlone, TEASER, T-RO 37(2), 2021.
 ///
 /// One thread. Keeps its buffers: nothing is taken from the heap once they have grown.
 class ConstellationSearch {

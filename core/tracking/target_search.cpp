@@ -15,11 +15,13 @@ using Eigen::Vector3d;
 constexpr int kLeastMarkers = 4;
 // Three markers prove nothing where there is a choice of points.
 constexpr int kMostPointsForThree = 5;
-constexpr int kStepsOfAFit = 20;  // what a rigid fit costs, in looks at a pairing
+// What a rigid fit costs, in steps of the clique search.
+constexpr int kStepsOfAFit = 20;
+constexpr int kPairingsOfAStep = 16;
 // A point that lies this many gates from its marker belongs to another pose.
 constexpr double kGatesOfAPose = 2.0;
-
-// A triangle leaves its pose so uncertain that a further marker sweeps a ball of this many widths: counted.
+// A triangle leaves its pose so uncertain that a further marker sweeps a ball of so many
+// widths of a distance; the number makes the formula agree with counted fits.
 constexpr double kSweptWidths = 1.8;
 
 double ballVolume(double radius_m) { return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_m, 3); }
@@ -48,12 +50,16 @@ void forget(Constellation& fit, std::size_t markers) {
 
 }  // namespace
 
+void forget(SearchResult& result, std::size_t markers) {
+  result.verdict = SearchVerdict::kTooFewMarkers;
+  forget(result.best, markers);
+  forget(result.runner_up, markers);
+}
+
 void TargetSearch::run(const Sought& sought, SearchResult& result) {
   sought_ = sought;
   result_ = &result;
-  result.verdict = SearchVerdict::kTooFewMarkers;
-  forget(result.best, sought.markers_T.size());
-  forget(result.runner_up, sought.markers_T.size());
+  forget(result, sought.markers_T.size());
   free_points_ = static_cast<int>(std::ranges::count_if(sought.free, [](char free) { return free != 0; }));
   least_ = std::min(kLeastMarkers, static_cast<int>(sought.markers_T.size()));
   if (free_points_ < least_ || areCollinear(sought.markers_T)) return;
@@ -107,7 +113,7 @@ bool TargetSearch::mayJoin(std::span<const Pairing, 3> three, Pairing next) {
 }
 
 int TargetSearch::judge(std::span<const Pairing> clique) {
-  steps_ -= kStepsOfAFit;
+  steps_ -= kStepsOfAFit + graph_.markers() * graph_.points() / kPairingsOfAStep;
   return seeks_runner_up_ ? judgeRunnerUp(clique) : judgeBest(clique);
 }
 
@@ -165,9 +171,8 @@ bool TargetSearch::isSamePose(const Constellation& other) const {
 void TargetSearch::weigh() {
   Constellation& best = result_->best;
   const double density = densityAround(best.X_CT);
-  const Crowd crowd{static_cast<int>(sought_.markers_T.size()), free_points_, pairRate(),
-                    density * ballVolume(kSweptWidths * width_m_)};
-  best.chance = expectedChanceFits(crowd, best.matched);
+  crowd_ = {static_cast<int>(sought_.markers_T.size()), free_points_, pairRate(),
+            density * ballVolume(kSweptWidths * width_m_)};
   const double variance = std::pow(sought_.cloud->typicalSigma(), 2) + gate_.modelVariance();
   gain_ = std::max(0.0, -std::log(density * std::pow(2.0 * std::numbers::pi * variance, 1.5)));
   misfit_scale_ = std::max(1.0, best.misfit / std::max(1, 3 * best.matched - 6));
@@ -175,6 +180,7 @@ void TargetSearch::weigh() {
 }
 
 void TargetSearch::weigh(Constellation& fit) const {
+  fit.chance = expectedChanceFits(crowd_, fit.matched);
   fit.evidence = fit.matched * gain_ - 0.5 * fit.misfit / misfit_scale_;
 }
 

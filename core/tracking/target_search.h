@@ -31,6 +31,9 @@ struct Sought {
   std::span<const char> free;             ///< of each point, whether it may be matched
 };
 
+/// Makes `result` that of a target of so many markers that was not found. Keeps its buffers.
+void forget(SearchResult& result, std::size_t markers);
+
 /// Finds one target in one cloud: largest clique, rigid fit, runner-up, chance, verdict. Keeps its buffers.
 class TargetSearch : private CliqueJudge {
  public:
@@ -71,6 +74,7 @@ class TargetSearch : private CliqueJudge {
   int least_ = 0;       ///< markers of a fit
   int steps_ = 0;
   bool seeks_runner_up_ = false;
+  Crowd crowd_;
   double gain_ = 0.0;          ///< evidence of one more marker without misfit
   double misfit_scale_ = 1.0;  ///< how many times larger the best fit's misfit is than it should be
   CompatibilityGraph graph_;
