@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/cli/arm_angles.h"
 #include "app/cli/commands.h"
 #include "app/cli/point_source.h"
 #include "app/cli/timing.h"
@@ -23,6 +24,7 @@ struct Options {
   std::vector<std::filesystem::path> targets;
   std::filesystem::path poses;
   std::filesystem::path matches;
+  AngleOptions angles;
 };
 
 std::vector<Target> readTargets(const std::vector<std::filesystem::path>& files) {
@@ -95,6 +97,7 @@ nlohmann::ordered_json whyNotTracked(const std::vector<PoseRow>& rows) {
 
 void track(const Options& options, Context& context) {
   const auto targets = readTargets(options.targets);
+  const auto arm = armAskedFor(options.angles, targets);
   const auto source = openPoints(options.input);
   const Run run = trackAll(*source, targets);
   orFail(tracking::writePoses(options.poses, run.rows));
@@ -107,6 +110,7 @@ void track(const Options& options, Context& context) {
                     {"not_tracked", whyNotTracked(run.rows)},
                     {"rms_mm", rmsMm(run.rows)},
                     {"ms_per_frame", medianAndP99(run.durations_ms)}};
+  if (arm) context.result["arm"] = writeArmAngles(options.angles.angles, *arm, run.rows);
   if (context.json) return;
   std::cout << source->size() << " frames, " << 100.0 * context.result["tracked_share"].get<double>()
             << " % tracked, poses in " << options.poses.string() << "\n";
@@ -123,6 +127,7 @@ void addTrack(CLI::App& app, Context& context) {
   command->add_option("--target", options->targets, "Taught target, once for each")->required();
   command->add_option("--out", options->poses, "Table of poses to write")->required();
   command->add_option("--matches", options->matches, "Table of which point was taken for which marker");
+  addAngleOptions(*command, options->angles);
   command->callback([options, &context] { track(*options, context); });
 }
 

@@ -7,6 +7,7 @@
 namespace mirrorarm::cli {
 
 // One a file: app/cli/command_<name>.cpp. Each adds its subcommand; its callback runs while parsing.
+void addArm(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
 void addDetect(CLI::App& app, Context& context);
 void addDoctor(CLI::App& app, Context& context);

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", MIRRORARM_VERSION);
   app.require_subcommand(1);
   Context context;
+  addArm(app, context);
   addCalibrate(app, context);
   addDetect(app, context);
   addDoctor(app, context);
