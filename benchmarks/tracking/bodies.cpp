@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 
 #include "benchmarks/statistics.h"
@@ -15,6 +16,7 @@ constexpr int kBodies = 8;
 constexpr int kMarkers = 10;
 constexpr int kStrangers = 20;
 constexpr double kAside_m = 0.3;
+constexpr double kLeastDistance_m = 0.15;  // of bodies: they do not go through each other
 constexpr double kMostMedian_ms = 2.0;
 
 /// Eight different bodies in one view.
@@ -29,8 +31,14 @@ void meet(int index, int visible, Company& company) {
   company.layouts.clear();
   company.placed.clear();
   for (int body = 0; body < kBodies; ++body) company.layouts.push_back(randomLayout(kMarkers, random));
-  for (const Layout& layout : company.layouts)
-    company.placed.push_back({&layout, randomPose(random, kAside_m), visible});
+  while (company.placed.size() < company.layouts.size()) {
+    const RigidTransform X_CT = randomPose(random, kAside_m);
+    const auto isApart = [&](const Placed& other) {
+      return (other.X_CT.translation() - X_CT.translation()).norm() >= kLeastDistance_m;
+    };
+    if (std::ranges::all_of(company.placed, isApart))
+      company.placed.push_back({&company.layouts[company.placed.size()], X_CT, visible});
+  }
   company.scene = look(company.placed, kStrangers, random);
 }
 

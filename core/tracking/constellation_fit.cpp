@@ -15,6 +15,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMostRounds = 4;
+constexpr double kStrainSigmas = 4.0;
+
+/// Largest misfit that is not strange for so many markers.
+double usualMisfit(std::size_t matched) {
+  const double freedom = 3.0 * static_cast<double>(matched) - 6.0;
+  return freedom + kStrainSigmas * std::sqrt(2.0 * freedom);
+}
 
 }  // namespace
 
@@ -41,6 +48,7 @@ bool ConstellationFit::run(std::span<const Pairing> pairings, int least, Constel
     if (static_cast<int>(pairings_.size()) < least || is_settled) break;
     solve(fit);
   }
+  leaveOutStrain(least, fit);
   if (static_cast<int>(pairings_.size()) < least || !fixesPose()) return false;
   conclude(fit);
   return true;
@@ -99,18 +107,48 @@ bool ConstellationFit::gather(Constellation& fit) {
   return changed;
 }
 
-void ConstellationFit::conclude(Constellation& fit) const {
-  fit.point_of_marker.assign(markers_T_.size(), -1);
-  fit.matched = static_cast<int>(pairings_.size());
-  fit.misfit = 0.0;
-  double square = 0.0;
+/// A fit that is worse than noise explains, but would be good without one of its pairings, is without it.
+void ConstellationFit::leaveOutStrain(int least, Constellation& fit) {
+  const std::size_t all = pairings_.size();
+  if (static_cast<int>(all) <= least || all <= 3 || misfitOf(fit) <= usualMisfit(all)) return;
+  const RigidTransform X_CT = fit.X_CT;
+  gathered_ = pairings_;
+  std::size_t worst = all;
+  double least_misfit = usualMisfit(all - 1);
+  for (std::size_t i = 0; i < all; ++i) {
+    pairings_.erase(pairings_.begin() + static_cast<std::ptrdiff_t>(i));
+    solve(fit);
+    if (const double misfit = misfitOf(fit); misfit < least_misfit) {
+      least_misfit = misfit;
+      worst = i;
+    }
+    pairings_ = gathered_;
+  }
+  fit.X_CT = X_CT;
+  if (worst == all) return;
+  pairings_.erase(pairings_.begin() + static_cast<std::ptrdiff_t>(worst));
+  solve(fit);
+}
+
+double ConstellationFit::misfitOf(const Constellation& fit) const {
+  double misfit = 0.0;
   for (const Pairing& one : pairings_) {
-    fit.point_of_marker[static_cast<std::size_t>(one.marker)] = one.point;
     const Vector3d off = offset(fit, one);
     const Eigen::Matrix3d covariance =
         (*cloud_)[one.point].covariance_m2 + gate_.modelVariance() * Eigen::Matrix3d::Identity();
-    fit.misfit += off.dot(covariance.inverse() * off);
-    square += off.squaredNorm();
+    misfit += off.dot(covariance.inverse() * off);
+  }
+  return misfit;
+}
+
+void ConstellationFit::conclude(Constellation& fit) const {
+  fit.point_of_marker.assign(markers_T_.size(), -1);
+  fit.matched = static_cast<int>(pairings_.size());
+  fit.misfit = misfitOf(fit);
+  double square = 0.0;
+  for (const Pairing& one : pairings_) {
+    fit.point_of_marker[static_cast<std::size_t>(one.marker)] = one.point;
+    square += offset(fit, one).squaredNorm();
   }
   fit.rms_m = std::sqrt(square / fit.matched);
 }

@@ -30,7 +30,8 @@ struct Gate {
 };
 
 /// Makes a rigid fit of pairings that agree in their distances: leaves out what does not fit the pose, takes
-/// in every other marker that finds a point in its gate, and fits again. Keeps its buffers.
+/// in every other marker that finds a point in its gate, and fits again. A stranger that came in through a
+/// gate and strains the whole fit is left out in the end. Keeps its buffers.
 class ConstellationFit {
  public:
   /// `free[k]` tells whether point k may be matched. All must outlive the fits.
@@ -45,7 +46,9 @@ class ConstellationFit {
   void solve(Constellation& fit);
   void leaveOutMisfits(int least, Constellation& fit);
   [[nodiscard]] bool gather(Constellation& fit);
+  void leaveOutStrain(int least, Constellation& fit);
   void conclude(Constellation& fit) const;
+  [[nodiscard]] double misfitOf(const Constellation& fit) const;
   [[nodiscard]] bool fixesPose();
   [[nodiscard]] Eigen::Vector3d offset(const Constellation& fit, Pairing one) const {
     return cloud_->at(one.point) - fit.X_CT * markers_T_[static_cast<std::size_t>(one.marker)];

@@ -24,6 +24,9 @@ constexpr double kGatesOfAPose = 2.0;
 // widths of a distance; the number makes the formula agree with counted fits.
 constexpr double kSweptWidths = 1.8;
 
+// How many degrees of freedom the belief that misfits are as large as they should be is worth.
+constexpr double kPriorFreedom = 6.0;
+
 double ballVolume(double radius_m) { return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_m, 3); }
 
 /// Where a fourth point stands over the plane of three.
@@ -175,7 +178,9 @@ void TargetSearch::weigh() {
             density * ballVolume(kSweptWidths * width_m_)};
   const double variance = std::pow(sought_.cloud->typicalSigma(), 2) + gate_.modelVariance();
   gain_ = std::max(0.0, -std::log(density * std::pow(2.0 * std::numbers::pi * variance, 1.5)));
-  misfit_scale_ = std::max(1.0, best.misfit / std::max(1, 3 * best.matched - 6));
+  const double sensor_share = std::pow(sought_.cloud->typicalSigma(), 2) / variance;
+  misfit_scale_ =
+      std::max(sensor_share, (best.misfit + kPriorFreedom) / (3.0 * best.matched - 6.0 + kPriorFreedom));
   weigh(best);
 }
 
