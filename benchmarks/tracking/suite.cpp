@@ -9,7 +9,8 @@ Suite suite() {
            {"bodies", "Several targets from nothing", measureBodies},
            {"false-pose", "Poses found where the target is not", measureFalsePoses},
            {"pose", "Pose of a target of ten markers at 400 mm, given the rig", measurePose},
-           {"prediction", "Prediction of a limb's place from its last poses", measurePrediction}}};
+           {"prediction", "Prediction of a limb's place from its last poses", measurePrediction},
+           {"skin", "Markers that skin moves against each other", measureSkin}}};
 }
 
 }  // namespace mirrorarm::benchmarks::tracking

@@ -12,5 +12,6 @@ void measureBodies(Run& run);
 void measureFalsePoses(Run& run);
 void measurePose(Run& run);
 void measurePrediction(Run& run);
+void measureSkin(Run& run);
 
 }  // namespace mirrorarm::benchmarks::tracking

@@ -22,6 +22,7 @@ class FrameWander {
     }
     ++frames_;
   }
+  [[nodiscard]] int frames() const { return frames_; }
   [[nodiscard]] double rms_m() const {
     double square = squares_ / 8.0 / frames_;
     for (const Vector3d& sum : sums_) square -= (sum / frames_).squaredNorm() / 8.0;
