@@ -26,13 +26,13 @@ constexpr std::array<MotionModel, MotionFilter::kModels> kModelsOfAnArm{{
 }};
 
 // Of an arm [m, s].
-constexpr double kStay_s = 1.0;    // how long a kind of motion lasts
+constexpr double kStay_s = 1.5;    // how long a kind of motion lasts
 constexpr double kAnySpeed = 0.5;  // when nothing is known
 constexpr double kAnyAcceleration = 2.0;
 constexpr double kStartSpeed = 0.02;        // in the frame in which a rest ends
 constexpr double kGlideAcceleration = 1.0;  // which a glide leaves open
-constexpr double kUntilStart_s = 2.0;       // a limb starts, or stops, without warning once in that time
-constexpr double kUntilStop_s = 3.0;
+constexpr double kUntilStart_s = 1.0;       // a limb starts without warning once in that time,
+constexpr double kUntilStop_s = 3.0;        // and stops once in this
 constexpr double kUnforeseenJerk = 10.0;
 constexpr double kLeastPart = 1e-6;   // less of a model's covariance than that is lost in the others'
 constexpr double kLeastShare = 1e-9;  // so that every model can come back
