@@ -33,6 +33,7 @@ void DeviationFilter::resize(std::size_t markers) {
   for (auto* field : {&now_, &before_, &expected_, &next_, &own_}) field->resize(markers, Vector3d::Zero());
   own_square_.resize(markers);
   last_seen_.resize(markers, time_);
+  frames_seen_.resize(markers, 0);
 }
 
 void DeviationFilter::predict(TimePoint time) {
@@ -95,7 +96,10 @@ void DeviationFilter::learn(std::span<SeenMarker> seen, std::span<const Vector3d
   before_ = now_;
   now_ = next_;
   learnShape(rest_T, present, share);
-  for (const SeenMarker& marker : seen) last_seen_[marker.marker] = predicted_for_;
+  for (const SeenMarker& marker : seen) {
+    frames_seen_[marker.marker] = wasSeenJustNow(marker.marker) ? frames_seen_[marker.marker] + 1 : 1;
+    last_seen_[marker.marker] = predicted_for_;
+  }
   time_before_ = begun_ ? time_ : predicted_for_;
   time_ = predicted_for_;
   begun_ = true;

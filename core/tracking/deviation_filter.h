@@ -35,6 +35,8 @@ class DeviationFilter {
 
   /// True when it was seen in the frame before, or about then.
   [[nodiscard]] bool wasSeenJustNow(std::size_t marker) const { return framesHidden(marker) < 1.5; }
+  /// Frames in a row in which it was seen, the last learnt one with them.
+  [[nodiscard]] int framesSeen(std::size_t marker) const { return frames_seen_[marker]; }
 
   /// Takes the motion of the body off the innovations, by the stiffest markers: what was seen of the skin.
   void takeBodyMotionOff(std::span<SeenMarker> seen);
@@ -75,6 +77,7 @@ class DeviationFilter {
   std::vector<Eigen::Vector3d> own_;    ///< part of each that no mode explains
   std::vector<FadingMean> own_square_;  ///< its mean square along an axis [m^2]
   std::vector<TimePoint> last_seen_;
+  std::vector<int> frames_seen_;
   std::vector<char> hidden_;
   ModeVector amplitudes_expected_ = ModeVector::Zero();
   ModeVector trend_ = ModeVector::Zero();  ///< step of the amplitudes, were they to go on as they went

@@ -26,6 +26,7 @@ constexpr double kSlipReach_m = 0.025;      // how far a slip may carry a marker
 constexpr double kStray_m = 0.012;          // how far skin may carry one that is hidden
 constexpr Seconds kSlipTakes{0.15};         // a marker's end and its return elsewhere may lie so far apart
 constexpr double kShareToTellJumps = 0.6;
+constexpr int kFramesToSettle = 8;
 constexpr double kToleranceSigmas = 3.0;
 
 /// Variance of a place that was taught by so few frames of a moving skin.
@@ -179,13 +180,15 @@ int SkinModel::Body::pointNear(const SkinObservation& frame, const RigidTransfor
   return nearest;
 }
 
-/// When most of the markers have just come out of hiding nothing tells a jump from what the hiding hid.
+/// While a marker settles that has just come out of hiding, or when few were seen before, nothing tells a
+/// jump from what the hiding hid.
 bool SkinModel::Body::canTellJumps() const {
-  const auto before = std::count_if(seen.begin(), seen.end(), [this](const SeenMarker& marker) {
-    return filter.wasSeenJustNow(marker.marker);
-  });
+  const auto isSettled = [this](const SeenMarker& marker) {
+    return filter.wasSeenJustNow(marker.marker) && filter.framesSeen(marker.marker) >= kFramesToSettle;
+  };
   const auto markers = std::count(presence.present().begin(), presence.present().end(), 1);
-  return static_cast<double>(before) >= kShareToTellJumps * static_cast<double>(markers);
+  return std::all_of(seen.begin(), seen.end(), isSettled) &&
+         static_cast<double>(seen.size()) >= kShareToTellJumps * static_cast<double>(markers);
 }
 
 void SkinModel::Body::takeJumps() {
@@ -193,8 +196,7 @@ void SkinModel::Body::takeJumps() {
   for (SeenMarker& marker : seen) {
     const std::size_t i = marker.marker;
     const double sigma = std::sqrt(marker.covariance_m2.trace() / 3.0);
-    if (filter.wasSeenJustNow(i) && slips.takesJump(i, marker.left_over, sigma, filter.expected(i), now))
-      marker.counts = false;
+    if (slips.takesJump(i, marker.left_over, sigma, filter.expected(i), now)) marker.counts = false;
   }
 }
 
@@ -269,7 +271,8 @@ bool SkinModel::Body::takeUpStrays() {
     const std::size_t marker = markerAt(stranger);
     if (marker >= shape_G.size()) continue;
     const Vector3d moved = stranger.last_T - shape_G[marker];
-    const bool is_slip = slips.isArmed() && replaces(marker, stranger);
+    const bool is_slip =
+        slips.isArmed() && replaces(marker, stranger) && filter.framesSeen(marker) >= kFramesToSettle;
     if (is_slip)
       target.markers_T[marker] += moved;
     else
