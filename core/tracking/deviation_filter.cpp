@@ -92,7 +92,7 @@ void DeviationFilter::learn(std::span<SeenMarker> seen, std::span<const Vector3d
     learnVariances(own_steps_, seen, step);
     placeHidden(seen, rest_T, present, step.count());
   }
-  learnMotion();
+  learnMotion(std::max(share, 1e-9));
   before_ = now_;
   now_ = next_;
   learnShape(rest_T, present, share);
@@ -132,16 +132,16 @@ void DeviationFilter::estimate(std::span<SeenMarker> seen) {
 /// alone would add up their errors.
 void DeviationFilter::placeHidden(std::span<SeenMarker> seen, std::span<const Vector3d> rest_T,
                                   std::span<const char> present, double step_s) {
-  constexpr double least = 1e-12;
+  constexpr double kLeast_m2 = 1e-12;
   DeviationFit::Prior prior{Matrix6::Zero(), modes_.variances()};
   for (std::size_t i = 0; i < next_.size(); ++i) {
     const RigidRows rows = rigidRows(rest_T[i]);
-    prior.motion_information += rows.transpose() * rows / (own_square_[i].value() + least);
+    prior.motion_information += rows.transpose() * rows / (own_square_[i].value() + kLeast_m2);
   }
   for (SeenMarker& marker : seen) {
     marker.innovation = next_[marker.marker];
     marker.covariance_m2 =
-        marker.sensor_m2 + (own_square_[marker.marker].value() + least) * Matrix3d::Identity();
+        marker.sensor_m2 + (own_square_[marker.marker].value() + kLeast_m2) * Matrix3d::Identity();
   }
   fit_.run(seen, modes_, prior);
   const ModeVector most = kMostOfMode * modes_.variances().cwiseSqrt();
@@ -161,14 +161,13 @@ void DeviationFilter::placeHidden(std::span<SeenMarker> seen, std::span<const Ve
 }
 
 /// How well amplitudes go on as they went, and how far they are off then.
-void DeviationFilter::learnMotion() {
+void DeviationFilter::learnMotion(double share_of_memory) {
   if (modes_.areNone() || !shows_all_) return;
-  const double share = 1.0 / 120.0;
   const ModeVector next = modes_.amplitudes(next_);
-  trend_kept_.add((next - modes_.amplitudes(now_)).dot(trend_), share);
-  trend_square_.add(trend_.squaredNorm(), share);
+  trend_kept_.add((next - modes_.amplitudes(now_)).dot(trend_), share_of_memory);
+  trend_square_.add(trend_.squaredNorm(), share_of_memory);
   mode_step_.add(std::min(1.0, (next - amplitudes_expected_).squaredNorm() / modes_.variances().sum()),
-                 share);
+                 share_of_memory);
 }
 
 void DeviationFilter::learnShape(std::span<const Vector3d> rest_T, std::span<const char> present,

@@ -62,7 +62,7 @@ class DeviationFilter {
   void estimate(std::span<SeenMarker> seen);
   void placeHidden(std::span<SeenMarker> seen, std::span<const Eigen::Vector3d> rest_T,
                    std::span<const char> present, double step_s);
-  void learnMotion();
+  void learnMotion(double share_of_memory);
   void learnShape(std::span<const Eigen::Vector3d> rest_T, std::span<const char> present, double share);
 
   Seconds memory_;

@@ -9,7 +9,7 @@
 
 namespace mirrorarm::tracking {
 
-/// A point that is no marker of the target, followed in frame T.
+/// A point that is no marker of the target, followed in the frame T of a body.
 struct Stranger {
   bool alive = false;
   TimePoint first_seen{}, last_seen{};
