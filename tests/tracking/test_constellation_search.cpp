@@ -276,8 +276,8 @@ TEST(ConstellationSearch, GeometryDecidesBetweenPointsThatShareADisc) {
     Scene scene = look(target.markers_T, X_CT, 7, 3, noise);
     auto cloud = asCloud(scene.points_C);
     for (int i = 0; i < 10; ++i) {
-      auto& real = cloud[static_cast<std::size_t>(i)];
-      real.discs = {i, i};
+      cloud[static_cast<std::size_t>(i)].discs = {i, i};
+      const CloudPoint real = cloud[static_cast<std::size_t>(i)];
       // Rivals on the left ray: paired with the right disc of another.
       for (const double along : {-0.02, 0.0015, 0.03}) {
         CloudPoint rival = real;
