@@ -12,6 +12,7 @@ set(allowed_control "common|geometry|camera|vision|tracking|robot|therapy")
 set(allowed_simulation "common|geometry|camera|robot")
 set(allowed_devices "common|geometry|camera|robot")
 set(allowed_records "common|geometry|camera|vision|tracking|robot|therapy")
+set(allowed_experiments "common|geometry|camera|vision|tracking|robot|simulation")
 set(allowed_station
     "common|geometry|camera|vision|tracking|robot|calibration|therapy|control|simulation|devices|records")
 

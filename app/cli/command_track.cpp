@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/point_source.h"
 #include "app/cli/timing.h"
+#include "app/cli/tracker_option.h"
 #include "core/tracking/pose_file.h"
 #include "core/tracking/target_file.h"
 #include "core/tracking/tracker.h"
@@ -25,6 +26,7 @@ struct Options {
   std::filesystem::path poses;
   std::filesystem::path matches;
   AngleOptions angles;
+  tracking::TrackingMethod tracker = tracking::TrackerSettings{}.method;
 };
 
 std::vector<Target> readTargets(const std::vector<std::filesystem::path>& files) {
@@ -50,10 +52,20 @@ PoseRow rowOf(const PointFrame& frame, const Target& target, const TrackedTarget
 struct Run {
   std::vector<PoseRow> rows;
   std::vector<double> durations_ms;
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
 };
 
-Run trackAll(PointSource& source, const std::vector<Target>& targets) {
-  tracking::Tracker tracker{tracking::TrackerSettings{}};
+void noteEvents(const tracking::Tracker& tracker, long long index, Run& run) {
+  for (std::size_t t = 0; t < tracker.size(); ++t)
+    if (const auto event = tracker.event(t); event != tracking::SkinEvent::kNone)
+      run.events.push_back({{"index", index}, {"target", tracker.target(t).name}, {"event", id(event)}});
+}
+
+Run trackAll(PointSource& source, const std::vector<Target>& targets, tracking::TrackingMethod method) {
+  tracking::TrackerSettings settings;
+  settings.method = method;
+  tracking::Tracker tracker(settings);
+  if (const auto* rig = source.rig()) tracker.setRig(*rig);
   tracker.setTargets(targets);
   Run run;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -62,6 +74,7 @@ Run trackAll(PointSource& source, const std::vector<Target>& targets) {
     const auto answers = tracker.track(frame.points, frame.exposed_at);
     run.durations_ms.push_back(frame.vision_ms + 1e3 * secondsBetween(begin, Clock::now()));
     for (std::size_t t = 0; t < targets.size(); ++t) run.rows.push_back(rowOf(frame, targets[t], answers[t]));
+    noteEvents(tracker, frame.index, run);
   }
   return run;
 }
@@ -99,7 +112,7 @@ void track(const Options& options, Context& context) {
   const auto targets = readTargets(options.targets);
   const auto arm = armAskedFor(options.angles, targets);
   const auto source = openPoints(options.input);
-  const Run run = trackAll(*source, targets);
+  const Run run = trackAll(*source, targets, options.tracker);
   orFail(tracking::writePoses(options.poses, run.rows));
   if (!options.matches.empty()) orFail(tracking::writeMatches(options.matches, run.rows));
   context.result = {{"frames", source->size()},
@@ -108,6 +121,7 @@ void track(const Options& options, Context& context) {
                     {"predicted_share", shareOf(run.rows, TrackStatus::kPredicted)},
                     {"lost_share", shareOf(run.rows, TrackStatus::kLost)},
                     {"not_tracked", whyNotTracked(run.rows)},
+                    {"events", run.events},
                     {"rms_mm", rmsMm(run.rows)},
                     {"ms_per_frame", medianAndP99(run.durations_ms)}};
   if (arm) context.result["arm"] = writeArmAngles(options.angles.angles, *arm, run.rows);
@@ -128,6 +142,7 @@ void addTrack(CLI::App& app, Context& context) {
   command->add_option("--out", options->poses, "Table of poses to write")->required();
   command->add_option("--matches", options->matches, "Table of which point was taken for which marker");
   addAngleOptions(*command, options->angles);
+  addTrackerOption(*command, options->tracker);
   command->callback([options, &context] { track(*options, context); });
 }
 

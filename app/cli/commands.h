@@ -11,6 +11,7 @@ void addArm(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
 void addDetect(CLI::App& app, Context& context);
 void addDoctor(CLI::App& app, Context& context);
+void addExperiment(CLI::App& app, Context& context);
 void addSession(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addTeach(CLI::App& app, Context& context);

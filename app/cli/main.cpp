@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   addCalibrate(app, context);
   addDetect(app, context);
   addDoctor(app, context);
+  addExperiment(app, context);
   addSession(app, context);
   addSimulate(app, context);
   addTeach(app, context);

@@ -49,6 +49,8 @@ class RecordingSource final : public PointSource {
     return {recording_.index(i), observation.exposed_at, observation.points, vision_ms};
   }
 
+  const camera::StereoRig* rig() const override { return &recording_.rig(); }
+
  private:
   devices::Recording recording_;
   vision::StereoVision vision_;

@@ -7,6 +7,7 @@
 
 #include <CLI/App.hpp>
 
+#include "core/camera/stereo_rig.h"
 #include "core/common/time.h"
 #include "core/vision/finder_settings.h"
 #include "core/vision/stereo_observation.h"
@@ -38,6 +39,8 @@ class PointSource {
   [[nodiscard]] virtual std::size_t size() const = 0;
   /// Frame `i`; throws InputRefused.
   [[nodiscard]] virtual PointFrame frame(std::size_t i) = 0;
+  /// The cameras that saw the points; null where that is not known.
+  [[nodiscard]] virtual const camera::StereoRig* rig() const { return nullptr; }
 };
 
 /// Opens what `input` names; throws InputRefused.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/station/command.h"
 #include "core/therapy/session_measures.h"
 #include "core/therapy/session_phase.h"
+#include "core/tracking/skin_event.h"
 #include "core/tracking/target.h"
 #include "core/tracking/tracked_target.h"
 #include "core/vision/stereo_observation.h"
@@ -28,6 +30,8 @@ struct TrackedFrame {
   double tracking_ms = 0.0;                        ///< from points to poses
   std::uint64_t lost_frames = 0;  ///< by the source or because tracking was busy, since the start
   int reteachings = 0;            ///< how often the model was taught anew in this session
+  /// How often the target's skin showed what, in this session: indexed by tracking::SkinEvent.
+  std::array<int, tracking::kSkinEventCount> skin_events{};
 };
 
 /// What the control thread says at one time.

@@ -1,7 +1,6 @@
 #include "core/station/tracking_stage.h"
 
 #include "core/common/log.h"
-#include "core/tracking/reteach.h"
 
 namespace mirrorarm::station {
 namespace {
@@ -16,10 +15,10 @@ double millisecondsSince(TimePoint start) { return 1e3 * secondsBetween(start, C
 
 TrackingStage::TrackingStage(const camera::StereoRig& rig, const StationSettings& settings)
     : teacher_settings_(settings.teacher),
-      tracker_settings_(settings.tracker),
       vision_(rig, settings.finder, settings.matcher),
       tracker_(settings.tracker) {
   cloud_C_.reserve(tracking::kMaxMarkers);
+  tracker_.setRig(rig);
 }
 
 FrameReport TrackingStage::process(const camera::StereoFrame& frame) {
@@ -40,7 +39,8 @@ FrameReport TrackingStage::process(const camera::StereoFrame& frame) {
   if (target_) track(*seen);
   seen->tracking_ms = millisecondsSince(tracking_start);
   seen->target = target_;
-  seen->reteachings = reteachings_;
+  seen->reteachings = target_ ? tracker_.version(0) : 0;
+  seen->skin_events = skin_events_;
   lookAhead(*seen);
 
   const auto report = reportOf(*seen);
@@ -60,7 +60,7 @@ void TrackingStage::obeyOrders() {
       case Order::kForget:
         lesson_.reset();
         target_.reset();
-        reteachings_ = 0;
+        skin_events_ = {};
         break;
     }
   }
@@ -78,7 +78,8 @@ void TrackingStage::endLesson() {
   }
   target_ = std::make_shared<const tracking::Target>(taught->target);
   tracker_.setTargets({target_.get(), 1});
-  reteachings_ = 0;
+  version_ = 0;
+  skin_events_ = {};
 }
 
 void TrackingStage::learn(const TrackedFrame& seen) {
@@ -89,18 +90,17 @@ void TrackingStage::learn(const TrackedFrame& seen) {
 void TrackingStage::track(TrackedFrame& seen) {
   const auto tracked = tracker_.track(seen.observation.points, seen.frame.exposed_at);
   seen.targets.assign(tracked.begin(), tracked.end());
-  if (tracked.front().status == tracking::TrackStatus::kTracked) last_tracked_ = tracked.front();
-  if (tracker_.needsReteaching(0)) reteach(seen);
+  noteSkin();
 }
 
-void TrackingStage::reteach(const TrackedFrame& seen) {
-  vision::collectPreferred(seen.observation.points, cloud_C_);
-  const auto adapted = tracking::reteach(*target_, cloud_C_, last_tracked_.X_CT, tracker_settings_);
-  if (!adapted) return;
-  target_ = std::make_shared<const tracking::Target>(*adapted);
-  tracker_.replaceTarget(0, *target_);
-  ++reteachings_;
-  log(LogLevel::kWarning, "tracking: the markers have moved against each other; the model was taught anew");
+void TrackingStage::noteSkin() {
+  const auto event = tracker_.event(0);
+  ++skin_events_[static_cast<std::size_t>(event)];
+  if (event != tracking::SkinEvent::kNone)
+    log(LogLevel::kWarning, "tracking: skin: " + std::string(id(event)));
+  if (tracker_.version(0) == version_) return;
+  version_ = tracker_.version(0);
+  target_ = std::make_shared<const tracking::Target>(tracker_.target(0));
 }
 
 // Search only where the taught markers are expected, hidden ones too; a lost target may be anywhere.

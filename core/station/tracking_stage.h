@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -13,7 +14,7 @@
 
 namespace mirrorarm::station {
 
-/// From a stereo frame to tracked targets, with teaching and re-teaching. process() belongs to the tracking
+/// From a stereo frame to tracked targets, with teaching and what the skin does to what was taught. process() belongs to the tracking
 /// thread.
 class TrackingStage {
  public:
@@ -33,23 +34,22 @@ class TrackingStage {
   void endLesson();
   void learn(const TrackedFrame& seen);
   void track(TrackedFrame& seen);
-  void reteach(const TrackedFrame& seen);
+  void noteSkin();
   void lookAhead(const TrackedFrame& seen);
   [[nodiscard]] FrameReport reportOf(const TrackedFrame& seen) const;
 
   const tracking::TeacherSettings teacher_settings_;
-  const tracking::TrackerSettings tracker_settings_;
   BoundedQueue<Order, 16> orders_;
   vision::StereoVision vision_;
   tracking::Tracker tracker_;
   std::optional<tracking::Teacher> lesson_;
   std::shared_ptr<const tracking::Target> target_;
-  tracking::TrackedTarget last_tracked_;
   std::vector<Eigen::Vector3d> cloud_C_;
   std::optional<std::uint64_t> last_sequence_;
   std::uint64_t lost_frames_ = 0;
   int teachings_ = 0;
-  int reteachings_ = 0;
+  int version_ = 0;  ///< of the tracker's model that target_ holds
+  std::array<int, tracking::kSkinEventCount> skin_events_{};
   std::optional<tracking::TeachingError> teaching_error_;
 };
 

@@ -2,257 +2,299 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
-#include "core/tracking/fit_covariance.h"
-#include "core/tracking/pose_trend.h"
-#include "core/tracking/registration.h"
+#include "core/tracking/followed_target.h"
+#include "core/tracking/frame_cloud.h"
+#include "core/tracking/paper_reteach.h"
 
 namespace mirrorarm::tracking {
 namespace {
 
-using Eigen::Vector3d;
 using vision::StereoPoint;
 
-constexpr int kMinForFirstFit = 4;
-constexpr double kDeformationInRms = 3.0;  // how far a marker on skin strays from the rigid model
-constexpr double kUncertaintyInSigma = 3.0;
-constexpr auto kMaxIndex = static_cast<std::size_t>(std::numeric_limits<std::int16_t>::max());
+// How sure a pose from nothing is until it is fitted by likelihood.
+constexpr double kFoundTurn_rad = 0.02;
+constexpr double kFoundShift_m = 0.0015;
+// A shape that deforms more than before is sought with a wider tolerance: not for every trifle.
+constexpr double kToleranceStep = 1.25;
+constexpr double kMaxTolerance_m = 0.004;  // beyond it chance explains everything
+constexpr int kMinFromNothing = 4;
 
-/// What is kept of one target from frame to frame.
-struct Followed {
-  PoseTrend trend;
-  Eigen::Matrix<double, 6, 6> covariance =
-      Eigen::Matrix<double, 6, 6>::Zero();  ///< of the last measured pose
-  double reach_m = 0.0;                     ///< of the outermost marker from T's origin
-  int rejections = 0;
-};
+UncertainPose uncertain(const RigidTransform& X_CT) {
+  UncertainPose pose;
+  pose.X_CT = X_CT;
+  pose.covariance.diagonal().head<3>().setConstant(kFoundTurn_rad * kFoundTurn_rad);
+  pose.covariance.diagonal().tail<3>().setConstant(kFoundShift_m * kFoundShift_m);
+  return pose;
+}
 
-SeenDiscs discsOf(const StereoPoint& point) { return {point.left, point.right}; }
-
-double reachOf(const Target& target) {
-  double reach = 0.0;
-  for (const auto& p : target.markers_T) reach = std::max(reach, p.norm());
-  return reach;
+LostReason reasonOf(SearchVerdict verdict) {
+  switch (verdict) {
+    case SearchVerdict::kFound:
+      return LostReason::kNone;
+    case SearchVerdict::kTooFewMarkers:
+      return LostReason::kTooFewMarkers;
+    case SearchVerdict::kAmbiguous:
+      return LostReason::kAmbiguous;
+    case SearchVerdict::kCutOff:
+      return LostReason::kNotConverged;
+  }
+  return LostReason::kTooFewMarkers;
 }
 
 }  // namespace
 
+std::string_view id(TrackingMethod method) {
+  return method == TrackingMethod::kSoftassign ? "softassign" : "cliques";
+}
+
+std::optional<TrackingMethod> trackingMethodOf(std::string_view name) {
+  for (const auto method : {TrackingMethod::kCliques, TrackingMethod::kSoftassign})
+    if (name == id(method)) return method;
+  return std::nullopt;
+}
+
 struct Tracker::Body {
+  explicit Body(const TrackerSettings& given)
+      : settings(given), warm(given.warm), search(given.search), paper(given.paper) {}
+
   TrackerSettings settings;
-  std::vector<Target> targets;
-  std::vector<Followed> followed;
+  std::optional<camera::StereoRig> rig;
+  std::vector<FollowedTarget> followed;
+  std::vector<int> rejections;  ///< in a row, of the paper's method
   std::vector<TrackedTarget> answers;
+  FrameCloud cloud;
+  WarmRegistration warm;
+  ConstellationSearch search;
+  PaperRegistration paper;
 
-  // The frame: all points, which are taken, and those that one target looks at with their place among all.
-  std::span<const StereoPoint> points;
-  std::vector<char> taken;
-  std::vector<Vector3d> cloud_C;
-  std::vector<std::size_t> source;
-  std::vector<SeenDiscs> discs;
+  // What the search knows: the shapes it was given.
+  std::vector<int> indexed_versions;
+  std::vector<double> indexed_tolerances_m;
+  std::vector<std::span<const Eigen::Vector3d>> shapes_T;
+  std::vector<char> wanted;
 
-  Registration registration;
-  std::vector<Vector3d> matched_T, matched_C;
-  std::vector<Eigen::Matrix3d> matched_covariance;
-
-  void begin(std::span<const StereoPoint> frame, TimePoint exposed_at);
+  void begin(std::span<const StereoPoint> points, TimePoint exposed_at);
+  void followByCliques(TimePoint exposed_at);
+  void followByPaper(std::size_t i, TimePoint exposed_at);
   void follow(std::size_t i, TimePoint exposed_at);
-  void seek(std::size_t i, TimePoint exposed_at);
+  void seekLost(TimePoint exposed_at);
+  void refine(std::size_t i, const SearchResult& found, TimePoint exposed_at);
+  void refreshIndex();
+  [[nodiscard]] bool isIndexCurrent() const;
+  [[nodiscard]] double searchTolerance_m(std::size_t i) const;
+  void judge(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
+  void accept(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
+  void learn(std::size_t i, TimePoint exposed_at);
+  void reteachByPaper(std::size_t i, TimePoint exposed_at);
   void carryOn(std::size_t i, TimePoint exposed_at);
-  void collectFree();
-  void clearCloud();
-  void collect(std::size_t point);
-  void take(std::size_t point);
-  void collectNear(const Target& target, const RigidTransform& X_CT, double radius_m);
-  void judge(std::size_t i, const RegistrationResult& fit, TimePoint exposed_at);
-  void accept(std::size_t i, const RegistrationResult& fit, TimePoint exposed_at);
-  [[nodiscard]] bool isFree(std::size_t point) const;
-  [[nodiscard]] int countFree() const;
-  [[nodiscard]] int minMatched(const Target& target) const;
-  [[nodiscard]] bool isFresh(std::size_t i, TimePoint exposed_at) const;
-  [[nodiscard]] RegistrationSettings registrationSettings(int min_matched) const;
+  [[nodiscard]] bool isTracked(std::size_t i) const { return answers[i].status == TrackStatus::kTracked; }
 };
 
-void Tracker::Body::begin(std::span<const StereoPoint> frame, TimePoint exposed_at) {
-  points = frame.first(std::min(frame.size(), kMaxIndex + 1));
-  taken.assign(points.size(), 0);
-  answers.assign(targets.size(), TrackedTarget{});
-  for (std::size_t i = 0; i < targets.size(); ++i) {
+void Tracker::Body::begin(std::span<const StereoPoint> points, TimePoint exposed_at) {
+  cloud.reset(points);
+  answers.assign(followed.size(), TrackedTarget{});
+  for (std::size_t i = 0; i < followed.size(); ++i) {
+    followed[i].begin(exposed_at);
     answers[i].exposed_at = exposed_at;
-    answers[i].marker_count = static_cast<int>(targets[i].markers_T.size());
     answers[i].point_of_marker.fill(-1);
+    answers[i].reason = cloud.points().empty() ? LostReason::kNoPoints : LostReason::kTooFewMarkers;
   }
 }
 
-bool Tracker::Body::isFree(std::size_t point) const {
-  return taken[point] == 0 && points[point].p_C.allFinite();
-}
-
-int Tracker::Body::countFree() const {
-  int count = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) count += isFree(i) ? 1 : 0;
-  return count;
-}
-
-void Tracker::Body::clearCloud() {
-  cloud_C.clear();
-  source.clear();
-  discs.clear();
-}
-
-void Tracker::Body::collect(std::size_t point) {
-  cloud_C.push_back(points[point].p_C);
-  source.push_back(point);
-  discs.push_back(discsOf(points[point]));
-}
-
-/// With a point all others that claim one of its discs are gone.
-void Tracker::Body::take(std::size_t point) {
-  taken[point] = 1;
-  if (points[point].rivals == 0) return;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (shareADisc(discsOf(points[i]), discsOf(points[point]))) taken[i] = 1;
-}
-
-void Tracker::Body::collectFree() {
-  clearCloud();
-  for (std::size_t i = 0; i < points.size() && source.size() < kMaxPoints; ++i)
-    if (isFree(i)) collect(i);
-}
-
-void Tracker::Body::collectNear(const Target& target, const RigidTransform& X_CT, double radius_m) {
-  clearCloud();
-  for (std::size_t i = 0; i < points.size() && source.size() < kMaxPoints; ++i) {
-    const bool near =
-        isFree(i) && std::any_of(target.markers_T.begin(), target.markers_T.end(), [&](const auto& p_T) {
-          return (X_CT * p_T - points[i].p_C).squaredNorm() < radius_m * radius_m;
-        });
-    if (near) collect(i);
-  }
-}
-
-int Tracker::Body::minMatched(const Target& target) const {
-  const auto share = settings.min_marker_share * static_cast<double>(target.markers_T.size());
-  return std::max(3, static_cast<int>(std::ceil(share - 1e-9)));
-}
-
-RegistrationSettings Tracker::Body::registrationSettings(int min_matched) const {
-  return {settings.softassign, settings.full_schedule, settings.max_rms_m, min_matched};
-}
-
-bool Tracker::Body::isFresh(std::size_t i, TimePoint exposed_at) const {
-  const PoseTrend& trend = followed[i].trend;
-  return trend.isKnown() && trend.ageAt(exposed_at) <= settings.follow_for;
+void Tracker::Body::followByCliques(TimePoint exposed_at) {
+  for (std::size_t i = 0; i < followed.size(); ++i)
+    if (followed[i].isFresh(exposed_at, settings.follow_for)) follow(i, exposed_at);
+  seekLost(exposed_at);
+  for (std::size_t i = 0; i < followed.size(); ++i) learn(i, exposed_at);
 }
 
 void Tracker::Body::follow(std::size_t i, TimePoint exposed_at) {
-  const PoseTrend& trend = followed[i].trend;
-  const RigidTransform X_CT = trend.at(exposed_at);
-  const double uncertainty_m = trend.uncertaintyAt(exposed_at);
-  collectNear(targets[i], X_CT, uncertainty_m + kDeformationInRms * settings.max_rms_m);
-  const auto needed = registrationSettings(minMatched(targets[i]));
-  registration.setDiscs(discs);
-  judge(i, registration.follow(targets[i].markers_T, cloud_C, needed, X_CT, uncertainty_m), exposed_at);
+  FollowedTarget& target = followed[i];
+  const UncertainPose expected = target.motion().at(exposed_at);
+  const double radius_m =
+      gateRadius(target.shape(), expected, settings.warm.gate_sigmas, settings.warm.slack_m);
+  const auto near = cloud.selectNear(target.placesAt(expected.X_CT), radius_m);
+  judge(i, warm.run(target.shape(), near, expected), exposed_at);
 }
 
-/// Nothing but the shape speaks for a first fit: three markers alone would too often be found by chance.
-void Tracker::Body::seek(std::size_t i, TimePoint exposed_at) {
-  const auto markers = static_cast<int>(targets[i].markers_T.size());
-  const int needed = std::max(minMatched(targets[i]), std::min(kMinForFirstFit, markers));
-  collectFree();
-  registration.setDiscs(discs);
-  judge(i, registration.search(targets[i].markers_T, cloud_C, registrationSettings(needed)), exposed_at);
+void Tracker::Body::seekLost(TimePoint exposed_at) {
+  wanted.resize(followed.size());
+  for (std::size_t i = 0; i < followed.size(); ++i) wanted[i] = isTracked(i) ? 0 : 1;
+  if (std::count(wanted.begin(), wanted.end(), 1) == 0) return;
+  if (!isIndexCurrent()) refreshIndex();
+  const auto found = search.run(cloud.selectFree(), wanted);
+  for (std::size_t i = 0; i < followed.size(); ++i)
+    if (wanted[i] != 0) refine(i, found[i], exposed_at);
 }
 
-void Tracker::Body::judge(std::size_t i, const RegistrationResult& fit, TimePoint exposed_at) {
-  // A misfit of the model near its prediction tells more than a vain search elsewhere.
-  if (fit.isAccepted() || answers[i].reason != LostReason::kBadFit) answers[i].reason = fit.reason;
+double Tracker::Body::searchTolerance_m(std::size_t i) const {
+  return std::min(settings.search.tolerance_m + followed[i].skin().tolerance_m(), kMaxTolerance_m);
+}
+
+bool Tracker::Body::isIndexCurrent() const {
+  if (indexed_versions.size() != followed.size()) return false;
+  for (std::size_t i = 0; i < followed.size(); ++i) {
+    const double change = searchTolerance_m(i) / indexed_tolerances_m[i];
+    if (indexed_versions[i] != followed[i].version() || change > kToleranceStep ||
+        change * kToleranceStep < 1.0)
+      return false;
+  }
+  return true;
+}
+
+void Tracker::Body::refreshIndex() {
+  indexed_versions.clear();
+  indexed_tolerances_m.clear();
+  shapes_T.clear();
+  for (const FollowedTarget& target : followed) {
+    indexed_versions.push_back(target.version());
+    indexed_tolerances_m.push_back(searchTolerance_m(indexed_tolerances_m.size()));
+    shapes_T.push_back(target.skin().target().markers_T);
+  }
+  search.setTargets(shapes_T, indexed_tolerances_m);
+}
+
+void Tracker::Body::refine(std::size_t i, const SearchResult& found, TimePoint exposed_at) {
+  if (found.verdict != SearchVerdict::kFound) {
+    // A misfit of the shape where it is expected tells more than a vain search elsewhere.
+    const bool told = answers[i].reason == LostReason::kBadFit || answers[i].reason == LostReason::kNoPoints;
+    if (!told) answers[i].reason = reasonOf(found.verdict);
+    return;
+  }
+  const ShapeFit& fit = warm.run(followed[i].shape(), cloud.selectFree(), uncertain(found.best.X_CT));
+  if (fit.isAccepted() && fit.matched < std::min(kMinFromNothing, found.best.matched)) {
+    answers[i].reason = LostReason::kTooFewMarkers;
+    return;
+  }
+  judge(i, fit, exposed_at);
+}
+
+void Tracker::Body::judge(std::size_t i, const ShapeFit& fit, TimePoint exposed_at) {
+  answers[i].reason = fit.reason;
   if (fit.isAccepted()) accept(i, fit, exposed_at);
 }
 
-void Tracker::Body::accept(std::size_t i, const RegistrationResult& fit, TimePoint exposed_at) {
+void Tracker::Body::accept(std::size_t i, const ShapeFit& fit, TimePoint exposed_at) {
   TrackedTarget& answer = answers[i];
-  matched_T.clear();
-  matched_C.clear();
-  matched_covariance.clear();
-  for (std::size_t j = 0; j < fit.y_of_x.size(); ++j) {
-    if (fit.y_of_x[j] < 0) continue;
-    const std::size_t point = source[static_cast<std::size_t>(fit.y_of_x[j])];
-    take(point);
-    answer.point_of_marker[j] = static_cast<std::int16_t>(point);
-    matched_T.push_back(targets[i].markers_T[j]);
-    matched_C.push_back(points[point].p_C);
-    matched_covariance.push_back(points[point].covariance_m2);
-  }
+  followed[i].accept(fit, exposed_at, cloud);
   answer.status = TrackStatus::kTracked;
-  answer.X_CT = fit.X_YX;
-  answer.rms_m = fit.rms_m;
+  answer.X_CT = fit.pose.X_CT;
+  answer.covariance = fit.pose.covariance;
+  answer.rms_m = fit.pose.rms_m;
   answer.matched_count = fit.matched;
-  answer.covariance = fitCovariance(fit.X_YX, matched_T, matched_C, matched_covariance);
-  followed[i].trend.add(exposed_at, fit.X_YX);
-  followed[i].covariance = answer.covariance;
-  followed[i].rejections = 0;
+  const auto point_of_marker = followed[i].pointOfMarker();
+  for (std::size_t j = 0; j < point_of_marker.size(); ++j)
+    if (point_of_marker[j] >= 0)
+      answer.point_of_marker[j] = static_cast<std::int16_t>(cloud.sourceOf(point_of_marker[j]));
+}
+
+/// After all have taken their points: what is left are strangers. A shape taught anew is followed at once.
+void Tracker::Body::learn(std::size_t i, TimePoint exposed_at) {
+  FollowedTarget& target = followed[i];
+  if (isTracked(i)) {
+    target.learn(exposed_at, cloud, rig);
+  } else if (answers[i].reason == LostReason::kBadFit && target.isFresh(exposed_at, settings.follow_for)) {
+    target.learnFromMisfit(exposed_at, cloud, rig);
+    if (target.event() == SkinEvent::kSlipped) follow(i, exposed_at);
+  }
+}
+
+void Tracker::Body::followByPaper(std::size_t i, TimePoint exposed_at) {
+  FollowedTarget& target = followed[i];
+  std::optional<RigidTransform> last_X_CT;
+  if (target.isFresh(exposed_at, settings.follow_for))
+    last_X_CT = target.motion().at(target.motion().lastMeasured()).X_CT;
+  judge(i, paper.run(target.skin().target().markers_T, cloud.selectFree(), last_X_CT), exposed_at);
+  if (isTracked(i) || cloud.countFree() < 3) {
+    rejections[i] = 0;
+  } else if (++rejections[i] >= settings.paper.rejections_before_reteach) {
+    reteachByPaper(i, exposed_at);
+  }
+}
+
+void Tracker::Body::reteachByPaper(std::size_t i, TimePoint exposed_at) {
+  FollowedTarget& target = followed[i];
+  if (!target.motion().isKnown()) return;
+  const RigidTransform last_X_CT = target.motion().at(target.motion().lastMeasured()).X_CT;
+  const auto adapted = paperReteach(target.skin().target(), cloud.selectFree(), last_X_CT, settings.paper);
+  if (!adapted) return;
+  target.replaceShape(*adapted);
+  rejections[i] = 0;
+  judge(i, paper.run(target.skin().target().markers_T, cloud.selectFree(), last_X_CT), exposed_at);
 }
 
 /// No fit in this frame: for a short while the motion goes on, with growing doubt.
 void Tracker::Body::carryOn(std::size_t i, TimePoint exposed_at) {
-  Followed& target = followed[i];
-  if (countFree() >= minMatched(targets[i])) ++target.rejections;
-  if (!target.trend.isKnown() || target.trend.ageAt(exposed_at) > settings.predict_for) return;
+  if (rig && followed[i].isOutOfView(exposed_at, *rig)) answers[i].reason = LostReason::kOutOfVolume;
+  if (!followed[i].isFresh(exposed_at, settings.predict_for)) return;
+  const UncertainPose expected = followed[i].motion().at(exposed_at);
   answers[i].status = TrackStatus::kPredicted;
-  answers[i].X_CT = target.trend.at(exposed_at);
-  const double doubt_m = target.trend.uncertaintyAt(exposed_at) / kUncertaintyInSigma;
-  const double doubt_rad = doubt_m / std::max(target.reach_m, doubt_m);
-  answers[i].covariance = target.covariance;
-  answers[i].covariance.diagonal().head<3>().array() += doubt_rad * doubt_rad;
-  answers[i].covariance.diagonal().tail<3>().array() += doubt_m * doubt_m;
+  answers[i].X_CT = expected.X_CT;
+  answers[i].covariance = expected.covariance;
 }
 
-Tracker::Tracker(const TrackerSettings& settings) : body_(std::make_unique<Body>()) {
-  body_->settings = settings;
-}
-
+Tracker::Tracker(const TrackerSettings& settings) : body_(std::make_unique<Body>(settings)) {}
 Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
+void Tracker::setRig(const camera::StereoRig& rig) { body_->rig = rig; }
+
 void Tracker::setTargets(std::span<const Target> targets) {
-  body_->targets.assign(targets.begin(), targets.end());
-  body_->followed.assign(targets.size(), Followed{});
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    assert(targets[i].markers_T.size() <= static_cast<std::size_t>(kMaxMarkers));
-    body_->followed[i].reach_m = reachOf(targets[i]);
+  body_->followed.clear();
+  for (const Target& target : targets) {
+    assert(target.markers_T.size() <= static_cast<std::size_t>(kMaxMarkers));
+    body_->followed.emplace_back(target, body_->settings.skin);
   }
+  body_->rejections.assign(targets.size(), 0);
+  body_->answers.assign(targets.size(), TrackedTarget{});
+  body_->indexed_versions.clear();
 }
 
-void Tracker::replaceTarget(std::size_t index, const Target& target) {
-  assert(index < body_->targets.size());
-  assert(target.markers_T.size() <= static_cast<std::size_t>(kMaxMarkers));
-  body_->targets[index] = target;
-  body_->followed[index].reach_m = reachOf(target);
-  body_->followed[index].rejections = 0;
-}
+std::size_t Tracker::size() const { return body_->followed.size(); }
 
-std::span<const Target> Tracker::targets() const { return body_->targets; }
+const Target& Tracker::target(std::size_t index) const { return body_->followed[index].skin().target(); }
+
+int Tracker::version(std::size_t index) const { return body_->followed[index].version(); }
+
+SkinEvent Tracker::event(std::size_t index) const { return body_->followed[index].event(); }
 
 std::span<const TrackedTarget> Tracker::track(std::span<const StereoPoint> points, TimePoint exposed_at) {
-  body_->begin(points, exposed_at);
-  const std::size_t count = body_->targets.size();
-  const auto isTracked = [this](std::size_t i) { return body_->answers[i].status == TrackStatus::kTracked; };
-  for (std::size_t i = 0; i < count; ++i)
-    if (body_->isFresh(i, exposed_at)) body_->follow(i, exposed_at);
-  for (std::size_t i = 0; i < count; ++i)
-    if (!isTracked(i)) body_->seek(i, exposed_at);
-  for (std::size_t i = 0; i < count; ++i)
-    if (!isTracked(i)) body_->carryOn(i, exposed_at);
-  return body_->answers;
+  Body& body = *body_;
+  body.begin(points, exposed_at);
+  if (body.settings.method == TrackingMethod::kCliques) {
+    body.followByCliques(exposed_at);
+  } else {
+    for (std::size_t i = 0; i < body.followed.size(); ++i) body.followByPaper(i, exposed_at);
+  }
+  for (std::size_t i = 0; i < body.followed.size(); ++i) {
+    if (!body.isTracked(i)) body.carryOn(i, exposed_at);
+    const SkinModel& skin = body.followed[i].skin();
+    body.answers[i].marker_count = static_cast<int>(skin.shape_T().size());
+    body.answers[i].deviation_m = skin.deviation_m();
+  }
+  return body.answers;
 }
 
-bool Tracker::needsReteaching(std::size_t index) const {
-  assert(index < body_->followed.size());
-  return body_->followed[index].rejections >= body_->settings.rejections_before_reteach;
+TrackedTarget Tracker::at(std::size_t index, TimePoint time) const {
+  TrackedTarget answer = body_->answers[index];
+  if (answer.status == TrackStatus::kTracked && time == answer.exposed_at) return answer;
+  const FollowedTarget& target = body_->followed[index];
+  answer.exposed_at = time;
+  answer.matched_count = 0;
+  answer.point_of_marker.fill(-1);
+  answer.status = TrackStatus::kLost;
+  if (!target.motion().isKnown()) return answer;
+  answer.reason = LostReason::kStale;
+  if (!target.isFresh(time, body_->settings.predict_for)) return answer;
+  const UncertainPose expected = target.motion().at(time);
+  answer.status = TrackStatus::kPredicted;
+  answer.X_CT = expected.X_CT;
+  answer.covariance = expected.covariance;
+  return answer;
 }
 
 }  // namespace mirrorarm::tracking

@@ -1,36 +1,55 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 
+#include "core/camera/stereo_rig.h"
 #include "core/common/time.h"
-#include "core/tracking/softassign.h"
+#include "core/tracking/constellation_search.h"
+#include "core/tracking/paper_registration.h"
+#include "core/tracking/skin_model.h"
 #include "core/tracking/target.h"
 #include "core/tracking/tracked_target.h"
+#include "core/tracking/warm_registration.h"
 #include "core/vision/stereo_observation.h"
 
 namespace mirrorarm::tracking {
 
+/// How targets are found and followed.
+enum class TrackingMethod : std::uint8_t {
+  kCliques,     ///< from nothing by cliques, then by prediction, softassign and the pose of greatest
+                ///< likelihood, on a shape that follows the skin
+  kSoftassign,  ///< the paper's alone, for comparison
+};
+/// "cliques", "softassign".
+[[nodiscard]] std::string_view id(TrackingMethod method);
+[[nodiscard]] std::optional<TrackingMethod> trackingMethodOf(std::string_view id);
+
 struct TrackerSettings {
-  SoftassignSettings softassign;
-  bool full_schedule = false;     ///< anneal every frame from softassign.beta_start to its end, as the paper
-                                  ///< does; else from a beta that suits how well the pose is known already
-  double min_marker_share = 0.5;  ///< matched markers that a fit needs (paper: 50 %)
-  double max_rms_m = 0.003;       ///< of an accepted fit (paper: 3 mm)
-  Seconds predict_for{0.1};       ///< how long a target that vanished is carried on at its velocity
+  TrackingMethod method = TrackingMethod::kCliques;
+  WarmSettings warm;
+  ConstellationSettings search;
+  SkinSettings skin;
+  PaperSettings paper;       ///< for kSoftassign alone
+  Seconds predict_for{0.1};  ///< how long a target that vanished is carried on
   Seconds follow_for{0.25};  ///< how old the last pose may be to start from; then the target is sought anew
-  int rejections_before_reteach = 4;  ///< rejected frames in a row after which the model no longer fits
 };
 
-/// Follows several taught targets from frame to frame. Each starts from its last pose, carried on at its
-/// velocity, while that is fresh, and looks only at points near its predicted markers; a target without one
-/// is sought in any orientation. A fit is accepted with min_marker_share of the markers, at least 3 (a first
-/// one: at least 4, or all that the target has), and max_rms_m. Pairs are one-to-one, also in the discs that
-/// the points were measured from; points of one target, and their rivals, are not given to the next: fresh
-/// targets choose first, then the others in their order. Points that are not finite are ignored. At most
-/// kMaxPoints points are considered for one target, in their given order (those near the prediction, or the
-/// free ones when it is sought), and no point past the first 32768: time is bounded whatever a cloud holds.
-/// Following takes nothing from the heap once its buffers have grown. One thread (the tracking thread).
+/// Follows several taught targets from frame to frame. Each is looked for where its motion leads it, while
+/// its last pose is fresh: every marker inside the gate that prediction, skin and sensor make together, 3 of
+/// them suffice. A target without a fresh pose, or not found there, is sought in any orientation among the
+/// points that are left, where 5 markers prove it, 4 when nothing else fits and few points are about. What is
+/// ambiguous is told, not guessed. Every pose is that of greatest likelihood with its covariance. Pairs are
+/// one-to-one, also in the discs that the points were measured from; points of one target are not given to
+/// the next: fresh targets choose first, then the others, the surest first.
+///
+/// Points that are not finite are ignored. At most kMaxPoints are considered for one target (those near where
+/// it is expected, or the free ones when it is sought), in their given order: time is bounded whatever a
+/// cloud holds. Nothing is taken from the heap once the buffers have grown, but when a shape is taught anew.
+/// One thread (the tracking thread).
 class Tracker {
  public:
   explicit Tracker(const TrackerSettings& settings);
@@ -38,20 +57,29 @@ class Tracker {
   Tracker(Tracker&&) noexcept;
   Tracker& operator=(Tracker&&) noexcept;
 
+  /// The cameras that the points come from, so that a target that leaves their view is told as such. Without
+  /// them everything is in view.
+  void setRig(const camera::StereoRig& rig);
+
   /// Replaces all targets and forgets their poses. A target has at most kMaxMarkers markers; one with fewer
   /// than 3 or with markers on a line is answered as lost.
   void setTargets(std::span<const Target> targets);
-  /// Replaces the model of one target and keeps its pose: re-teaching in a running session.
-  void replaceTarget(std::size_t index, const Target& target);
-  [[nodiscard]] std::span<const Target> targets() const;
+  [[nodiscard]] std::size_t size() const;
+  /// A target as it is now: taught, and adapted since by the skin that carries it.
+  [[nodiscard]] const Target& target(std::size_t index) const;
+  /// Rises when target(index) was taught anew while it was followed: by a slip, an added marker, or in the
+  /// paper's way after several rejections.
+  [[nodiscard]] int version(std::size_t index) const;
+  /// What the last frame showed of the target's skin.
+  [[nodiscard]] SkinEvent event(std::size_t index) const;
 
-  /// One answer a target, in the order of the targets; the span stays good until the next call.
+  /// One answer a target, in the order of the targets; the span stays good until the next call. Frames come
+  /// in the order of their exposure.
   [[nodiscard]] std::span<const TrackedTarget> track(std::span<const vision::StereoPoint> points,
                                                      TimePoint exposed_at);
 
-  /// True when target `index` was rejected so often in a row that its model should be taught anew: frames
-  /// that held enough points for a fit but gave none. Frames with too few points say nothing about the model.
-  [[nodiscard]] bool needsReteaching(std::size_t index) const;
+  /// Where a target is at any time: carried on from its last measured poses; kStale when those are too old.
+  [[nodiscard]] TrackedTarget at(std::size_t index, TimePoint time) const;
 
  private:
   struct Body;

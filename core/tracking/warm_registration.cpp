@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/tracking/layout.h"
 
@@ -9,7 +10,8 @@ namespace mirrorarm::tracking {
 namespace {
 
 constexpr int kMinForPose = 3;
-constexpr int kProof = 4;  // fewer agree by chance when many have a point in their gates
+constexpr double kMaxChance = 1e-3;  // expected number of wrong fits in the gates that is still proof
+constexpr double kNear_m = 0.010;    // a wrong fit this near does less harm than none
 constexpr int kMaxRounds = 6;
 constexpr double kWarmBetaFactor = 1.5;  // a good guess leaves few candidates: the annealing may hasten
 // Before the pose is known skin may have moved by a part of the misfit that is accepted in the end.
@@ -48,6 +50,10 @@ int WarmRegistration::countMatched() const {
 void WarmRegistration::pair(const Shape& shape, std::span<const CloudPoint> cloud,
                             const UncertainPose& expected, bool first) {
   pairs_.find(shape, cloud, expected, settings_.gate_sigmas, slack_m());
+  if (first) {
+    gate_m_ = gateRadius(shape, expected, settings_.gate_sigmas, slack_m());
+    candidates_ = static_cast<int>(pairs_.all().size());
+  }
   if (first && !pairs_.areUnique(cloud)) {
     softassign(shape, cloud, expected);
   } else {
@@ -64,8 +70,7 @@ void WarmRegistration::softassign(const Shape& shape, std::span<const CloudPoint
                                   const UncertainPose& expected) {
   collectCandidates(shape, cloud);
   SoftassignSettings schedule = settings_.softassign;
-  const double spread_mm =
-      1e3 * std::max(gateRadius(shape, expected, 1.0, slack_m()), schedule.tolerated_distance_m);
+  const double spread_mm = 1e3 * std::max(gate_m_ / settings_.gate_sigmas, schedule.tolerated_distance_m);
   schedule.beta_start = std::max(schedule.beta_start, 0.5 / (spread_mm * spread_mm));
   schedule.beta_factor = std::max(schedule.beta_factor, kWarmBetaFactor);
   const SoftassignResult& decided = softassign_.run(x_, y_, schedule, expected.X_CT);
@@ -121,12 +126,26 @@ void WarmRegistration::dropOutliers() {
 LostReason WarmRegistration::verdict(int gated) {
   const int needed = std::max(settings_.min_matched, kMinForPose);
   if (gated < needed) return LostReason::kTooFewMarkers;
-  if (result_.matched < needed || (result_.matched < kProof && 2 * result_.matched < gated))
-    return LostReason::kBadFit;
+  if (result_.matched < needed) return LostReason::kBadFit;
+  if (gate_m_ > kNear_m && chance() > kMaxChance) return LostReason::kTooFewMarkers;
   if (result_.pose.rms_m > settings_.max_rms_m) return LostReason::kBadFit;
   x_.clear();
   for (const MarkerMatch& match : matches_) x_.push_back(match.marker_T);
   return areCollinear(x_) ? LostReason::kTooFewMarkers : LostReason::kNone;
+}
+
+/// How many sets of `result_.matched` pairs that agree on all distances chance would give among the gated
+/// ones: any three, each pair of which agrees with the share of the tolerance in the gate, and each further
+/// one that finds its point within the tolerance around its place.
+double WarmRegistration::chance() const {
+  const double agreement = settings_.gate_sigmas * std::numbers::sqrt2 * slack_m() / gate_m_;
+  if (agreement >= 1.0) return 0.0;
+  double expected = std::pow(agreement, 3);
+  for (int i = 0; i < result_.matched; ++i) {
+    expected *= static_cast<double>(std::max(1, candidates_ - i)) / (i + 1);
+    if (i >= kMinForPose) expected *= std::pow(agreement, 3);
+  }
+  return expected;
 }
 
 }  // namespace mirrorarm::tracking

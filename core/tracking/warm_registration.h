@@ -28,7 +28,8 @@ struct WarmSettings {
 /// which prediction, shape and sensor make together; where several fit, the paper's softassign decides; what
 /// does not agree with the others on distances is dropped (a clique); then the pose of greatest likelihood,
 /// with which all is done again inside the much narrower gates it gives, until the pairs stay. Matches that
-/// the estimate tells to be outliers are no matches. One thread; keeps its buffers. Coordinates must be
+/// the estimate tells to be outliers are no matches. Few matches among many points in wide gates prove
+/// nothing. One thread; keeps its buffers. Coordinates must be
 /// finite.
 class WarmRegistration {
  public:
@@ -48,6 +49,7 @@ class WarmRegistration {
   [[nodiscard]] LostReason verdict(int gated);
   [[nodiscard]] int countMatched() const;
   [[nodiscard]] double slack_m() const;
+  [[nodiscard]] double chance() const;
 
   WarmSettings settings_;
   ShapeFit result_;
@@ -55,6 +57,8 @@ class WarmRegistration {
   ConsistencyCheck consistency_;
   PoseEstimator estimator_;
   Softassign softassign_;
+  double gate_m_ = 0.0;  ///< radius of the first gates
+  int candidates_ = 0;   ///< pairs inside them
   std::vector<int> before_;
   std::vector<MarkerMatch> matches_;
   std::vector<std::size_t> marker_of_match_;

@@ -6,8 +6,8 @@ namespace mirrorarm::ui {
 
 void Journal::show(const station::Snapshot& snapshot) {
   const auto& control = snapshot.control;
-  const int reteachings = snapshot.frame ? snapshot.frame->reteachings : 0;
-  const Seen now{control.phase, control.servo.stop, snapshot.record.recording, control.answers, reteachings};
+  const auto skin = snapshot.frame ? snapshot.frame->skin_events : decltype(Seen::skin_events){};
+  const Seen now{control.phase, control.servo.stop, snapshot.record.recording, control.answers, skin};
   if (before_) compare(*before_, now, control.last_answer);
   before_ = now;
 }
@@ -19,7 +19,9 @@ void Journal::compare(const Seen& before, const Seen& now, station::Answer answe
   const bool freed = now.stop == control::StopReason::kNone && now.stop != before.stop;
   if (freed) log_.add(LogModel::tr("Stop reset"));
   if (now.recording != before.recording) log_.add(words(now.recording));
-  if (now.reteachings > before.reteachings) log_.add(LogModel::tr("The markers were taught anew"));
+  for (std::size_t event = 1; event < now.skin_events.size(); ++event)
+    if (now.skin_events[event] > before.skin_events[event])
+      log_.add(words(static_cast<tracking::SkinEvent>(event)));
 }
 
 }  // namespace mirrorarm::ui

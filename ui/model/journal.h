@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/station/snapshot.h"
@@ -21,7 +22,7 @@ class Journal {
     control::StopReason stop;
     station::Recording recording;
     std::uint32_t answers;
-    int reteachings;
+    std::array<int, tracking::kSkinEventCount> skin_events;
   };
   void compare(const Seen& before, const Seen& now, station::Answer answer);
 

@@ -197,6 +197,28 @@ QString words(tracking::LostReason reason) {
       return Words::tr("markers do not fit the model");
     case tracking::LostReason::kNotConverged:
       return Words::tr("pose not found");
+    case tracking::LostReason::kAmbiguous:
+      return Words::tr("markers fit in several ways");
+    case tracking::LostReason::kOutOfVolume:
+      return Words::tr("outside the cameras' view");
+    case tracking::LostReason::kStale:
+      return Words::tr("not seen for too long");
+  }
+  return {};
+}
+
+QString words(tracking::SkinEvent event) {
+  switch (event) {
+    case tracking::SkinEvent::kNone:
+      return {};
+    case tracking::SkinEvent::kSlipped:
+      return Words::tr("The sleeve has slipped; the markers were taught anew");
+    case tracking::SkinEvent::kMarkerLost:
+      return Words::tr("A marker has fallen off");
+    case tracking::SkinEvent::kMarkerFound:
+      return Words::tr("A marker is back");
+    case tracking::SkinEvent::kMarkerAdded:
+      return Words::tr("A new marker moves with the arm; it was added");
   }
   return {};
 }

@@ -26,6 +26,7 @@ namespace mirrorarm::ui {
 [[nodiscard]] QString words(therapy::Action action);
 [[nodiscard]] QString words(tracking::TrackStatus status);
 [[nodiscard]] QString words(tracking::LostReason reason);
+[[nodiscard]] QString words(tracking::SkinEvent event);
 [[nodiscard]] QString words(vision::Rejection reason);
 [[nodiscard]] QString words(vision::ExposureWarning warning);
 

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "core/tracking/reteach.h"
+#include "core/tracking/paper_reteach.h"
 #include "tests/tracking/world.h"
 
 using namespace mirrorarm;
 using namespace mirrorarm::tracking;
 using namespace mirrorarm::tracking::test;
 
-TEST(Reteach, TakesUpMarkersThatSkinHasMoved) {
+TEST(PaperReteach, TakesUpMarkersThatSkinHasMoved) {
   const Target old = forearm();
   Noise noise(51);
   int adapted_rightly = 0;
@@ -17,7 +17,7 @@ TEST(Reteach, TakesUpMarkersThatSkinHasMoved) {
     for (auto& p : moved.markers_T) p += noise.gaussian(0.004);
     const RigidTransform X_CT = noise.pose();
     const auto scene = look(moved.markers_T, X_CT, 9, 1, noise);
-    const auto adapted = reteach(old, scene.points_C, X_CT * noise.nudge(0.03, 0.003), {});
+    const auto adapted = paperReteach(old, cloudOf(scene), X_CT * noise.nudge(0.03, 0.003), {});
     ASSERT_TRUE(adapted) << trial;
     ASSERT_EQ(adapted->markers_T.size(), old.markers_T.size());
     std::vector<double> apart;
@@ -31,10 +31,10 @@ TEST(Reteach, TakesUpMarkersThatSkinHasMoved) {
   EXPECT_GE(adapted_rightly, kTrials * 9 / 10);
 }
 
-TEST(Reteach, NeedsALessonWhenTooFewMarkersAreThere) {
+TEST(PaperReteach, NeedsALessonWhenTooFewMarkersAreThere) {
   const Target old = forearm();
   Noise noise(52);
   const RigidTransform X_CT = noise.pose();
-  EXPECT_FALSE(reteach(old, look(old.markers_T, X_CT, 4, 0, noise).points_C, X_CT, {}));
-  EXPECT_FALSE(reteach(old, {}, X_CT, {}));
+  EXPECT_FALSE(paperReteach(old, cloudOf(look(old.markers_T, X_CT, 4, 0, noise)), X_CT, {}));
+  EXPECT_FALSE(paperReteach(old, {}, X_CT, {}));
 }
