@@ -38,10 +38,10 @@ Expected<tracking::Target, tracking::TeachingError> teachFrom(const PlayedScene&
                                                               vision::CentreMethod centres) {
   vision::StereoVision vision(scene.rig, finderOf(centres), {});
   tracking::Teacher teacher{tracking::TeacherSettings{}};
-  std::vector<Eigen::Vector3d> cloud_C;
+  std::vector<tracking::CloudPoint> cloud;
   for (const auto& shot : scene.shots) {
-    vision::collectPreferred(vision.observe(shot.frame).points, cloud_C);
-    teacher.add(cloud_C);
+    tracking::collectCloud(vision.observe(shot.frame).points, cloud);
+    teacher.add(cloud);
   }
   auto taught = teacher.finish("target");
   if (!taught) return unexpected(taught.error());

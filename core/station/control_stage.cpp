@@ -64,6 +64,7 @@ void ControlStage::takeReport(const FrameReport& report) {
   seen_.last_frame = report.exposed_at;
   target_ = report.target;
   state_.taught_markers = report.taught_markers;
+  state_.taught_sigma_m = report.taught_sigma_m;
   if (report.teachings != teachings_) endTeaching(report);
   const auto X_BF = digest_.flangeAt(report.exposed_at);
   if (!X_BF) {

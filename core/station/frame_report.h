@@ -15,6 +15,7 @@ struct FrameReport {
   bool has_target = false;         ///< a model is taught
   tracking::TrackedTarget target;  ///< lost while there is no model
   int taught_markers = 0;          ///< while teaching: markers so far
+  double taught_sigma_m = 0.0;     ///< while teaching: of the least sure one; infinite while not known
   int teachings = 0;               ///< lessons that ended since the start, well or badly
   std::optional<tracking::TeachingError> teaching_error;  ///< of the last lesson
 };

@@ -50,6 +50,8 @@ struct ControlState {
   Answer last_answer = Answer::kAccepted;  ///< to the newest command taken from the queue
   std::uint32_t answers = 0;               ///< commands answered since the start
   int taught_markers = 0;                  ///< while teaching: markers so far
+  double taught_sigma_m = 0.0;             ///< while teaching: of the least sure one; infinite as long
+                                           ///< as it is not known
   std::uint64_t lost_reports = 0;          ///< frames that reached neither control nor record
 };
 

@@ -17,7 +17,7 @@ TrackingStage::TrackingStage(const camera::StereoRig& rig, const StationSettings
     : teacher_settings_(settings.teacher),
       vision_(rig, settings.finder, settings.matcher),
       tracker_(settings.tracker) {
-  cloud_C_.reserve(tracking::kMaxMarkers);
+  expected_C_.reserve(tracking::kMaxMarkers);
   tracker_.setRig(rig);
 }
 
@@ -83,8 +83,9 @@ void TrackingStage::endLesson() {
 }
 
 void TrackingStage::learn(const TrackedFrame& seen) {
-  vision::collectPreferred(seen.observation.points, cloud_C_);
-  lesson_->add(cloud_C_);
+  tracking::collectCloud(seen.observation.points, lesson_cloud_);
+  lesson_->add(lesson_cloud_);
+  if (lesson_->isDone()) endLesson();
 }
 
 void TrackingStage::track(TrackedFrame& seen) {
@@ -105,10 +106,11 @@ void TrackingStage::noteSkin() {
 
 // Search only where the taught markers are expected, hidden ones too; a lost target may be anywhere.
 void TrackingStage::lookAhead(const TrackedFrame& seen) {
-  cloud_C_.clear();
+  expected_C_.clear();
   if (!lesson_ && !seen.targets.empty() && seen.targets.front().status == tracking::TrackStatus::kTracked)
-    for (const auto& marker_T : target_->markers_T) cloud_C_.push_back(seen.targets.front().X_CT * marker_T);
-  vision_.expect(cloud_C_, kLookAheadRadius_m);
+    for (const auto& marker_T : target_->markers_T)
+      expected_C_.push_back(seen.targets.front().X_CT * marker_T);
+  vision_.expect(expected_C_, kLookAheadRadius_m);
 }
 
 FrameReport TrackingStage::reportOf(const TrackedFrame& seen) const {
@@ -118,6 +120,7 @@ FrameReport TrackingStage::reportOf(const TrackedFrame& seen) const {
   report.has_target = target_ != nullptr;
   if (!seen.targets.empty()) report.target = seen.targets.front();
   report.taught_markers = lesson_ ? lesson_->markers() : 0;
+  report.taught_sigma_m = lesson_ ? lesson_->sigma_m() : 0.0;
   report.teachings = teachings_;
   report.teaching_error = teaching_error_;
   return report;

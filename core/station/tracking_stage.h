@@ -14,8 +14,8 @@
 
 namespace mirrorarm::station {
 
-/// From a stereo frame to tracked targets, with teaching and what the skin does to what was taught. process() belongs to the tracking
-/// thread.
+/// From a stereo frame to tracked targets, with teaching and what the skin does to what was taught. process()
+/// belongs to the tracking thread.
 class TrackingStage {
  public:
   TrackingStage(const camera::StereoRig& rig, const StationSettings& settings);
@@ -44,7 +44,8 @@ class TrackingStage {
   tracking::Tracker tracker_;
   std::optional<tracking::Teacher> lesson_;
   std::shared_ptr<const tracking::Target> target_;
-  std::vector<Eigen::Vector3d> cloud_C_;
+  std::vector<tracking::CloudPoint> lesson_cloud_;
+  std::vector<Eigen::Vector3d> expected_C_;  ///< where the markers should be in the next frame
   std::optional<std::uint64_t> last_sequence_;
   std::uint64_t lost_frames_ = 0;
   int teachings_ = 0;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "core/vision/stereo_observation.h"
 
 namespace mirrorarm::tracking {
 
@@ -23,5 +26,10 @@ struct CloudPoint {
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();  ///< of the sensor; zero when not known
   SeenDiscs discs;
 };
+
+/// A stereo point as registration sees it.
+[[nodiscard]] CloudPoint cloudPointOf(const vision::StereoPoint& point);
+/// All points that are finite, rivals too; `cloud` is emptied first.
+void collectCloud(std::span<const vision::StereoPoint> points, std::vector<CloudPoint>& cloud);
 
 }  // namespace mirrorarm::tracking

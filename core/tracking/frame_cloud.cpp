@@ -17,7 +17,7 @@ void FrameCloud::reset(std::span<const vision::StereoPoint> points) {
   has_rivals_.clear();
   for (std::size_t i = 0; i < std::min(points.size(), kMost); ++i) {
     if (!points[i].p_C.allFinite() || !points[i].covariance_m2.allFinite()) continue;
-    points_.push_back({points[i].p_C, points[i].covariance_m2, {points[i].left, points[i].right}});
+    points_.push_back(cloudPointOf(points[i]));
     source_.push_back(static_cast<int>(i));
     has_rivals_.push_back(points[i].rivals > 0 ? 1 : 0);
   }

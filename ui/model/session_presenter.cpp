@@ -49,11 +49,18 @@ QString minutesOf(double seconds) {
   return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
+QString teachingProgress(const station::ControlState& control) {
+  const QString markers = SessionPresenter::tr("Markers so far: %1").arg(control.taught_markers);
+  const double sigma_mm = 1e3 * control.taught_sigma_m;
+  if (control.taught_markers == 0 || !std::isfinite(sigma_mm)) return markers;
+  return SessionPresenter::tr("%1  ·  known to %2 mm").arg(markers).arg(sigma_mm, 0, 'f', 2);
+}
+
 QString progressOf(const station::Snapshot& snapshot) {
   const auto& control = snapshot.control;
   switch (control.phase) {
     case Phase::kTeaching:
-      return SessionPresenter::tr("Markers so far: %1").arg(control.taught_markers);
+      return teachingProgress(control);
     case Phase::kTraining:
     case Phase::kPaused:
     case Phase::kFinished:
