@@ -32,18 +32,23 @@ void FollowedTarget::accept(const ShapeFit& fit, TimePoint time, FrameCloud& clo
     point_of_marker_[j] = fit.point_of_marker[j] < 0 ? -1 : cloud.pointOf(fit.point_of_marker[j]);
   for (const int point : point_of_marker_)
     if (point >= 0) cloud.take(point);
+  last_X_CT_ = fit.pose.X_CT;
   motion_.add(time, {fit.pose.X_CT, fit.pose.covariance});
 }
 
 void FollowedTarget::learn(TimePoint time, const FrameCloud& cloud,
                            const std::optional<camera::StereoRig>& rig) {
-  event_ = skin_.observe(observation(time, motion_.at(time).X_CT, cloud, rig));
+  const SkinEvent event = skin_.observe(observation(time, last_X_CT_, cloud, rig));
+  if (event != SkinEvent::kNone) event_ = event;
 }
 
-void FollowedTarget::learnFromMisfit(TimePoint time, const FrameCloud& cloud,
+bool FollowedTarget::learnFromMisfit(TimePoint time, const FrameCloud& cloud,
                                      const std::optional<camera::StereoRig>& rig) {
   event_ = skin_.observeMisfit(observation(time, motion_.at(time).X_CT, cloud, rig));
   point_of_marker_.assign(skin_.shape_T().size(), -1);
+  if (!skin_.foundPose()) return false;
+  motion_.moveTo(time, *skin_.foundPose());
+  return true;
 }
 
 SkinObservation FollowedTarget::observation(TimePoint time, const RigidTransform& X_CT,

@@ -32,8 +32,9 @@ class FollowedTarget {
 
   /// Learns from a frame with an accepted pose, after all targets have taken their points.
   void learn(TimePoint time, const FrameCloud& cloud, const std::optional<camera::StereoRig>& rig);
-  /// Learns from one whose points do not fit where the target is expected.
-  void learnFromMisfit(TimePoint time, const FrameCloud& cloud, const std::optional<camera::StereoRig>& rig);
+  /// Learns from one whose points do not fit where the target is expected; true when the shape goes with them
+  /// now, and a fit from the expected pose, which moved with it, may succeed.
+  bool learnFromMisfit(TimePoint time, const FrameCloud& cloud, const std::optional<camera::StereoRig>& rig);
   /// Another model of the same body in the same frame.
   void replaceShape(const Target& target);
 
@@ -41,6 +42,8 @@ class FollowedTarget {
   [[nodiscard]] bool isOutOfView(TimePoint time, const camera::StereoRig& rig);
 
   [[nodiscard]] const MotionPredictor& motion() const { return motion_; }
+  /// The last accepted pose; good while motion() is known.
+  [[nodiscard]] const RigidTransform& lastPose() const { return last_X_CT_; }
   [[nodiscard]] const SkinModel& skin() const { return skin_; }
   [[nodiscard]] SkinEvent event() const { return event_; }
   [[nodiscard]] int version() const { return replaced_ + skin_.version(); }
@@ -53,6 +56,7 @@ class FollowedTarget {
   SkinSettings settings_;
   SkinModel skin_;
   MotionPredictor motion_;
+  RigidTransform last_X_CT_ = RigidTransform::Identity();
   SkinEvent event_ = SkinEvent::kNone;
   int replaced_ = 0;
   std::vector<int> point_of_marker_;  ///< in the frame's cloud

@@ -43,6 +43,13 @@ void MotionPredictor::add(TimePoint time, const UncertainPose& pose) {
   last_ = time;
 }
 
+void MotionPredictor::moveTo(TimePoint time, const RigidTransform& X_CT) {
+  const RigidTransform expected_CT = at(time).X_CT;
+  shift_.moveOrigin(expected_CT.translation() - X_CT.translation());
+  const Matrix3d turn = R_CT_.transpose() * expected_CT.linear();
+  R_CT_ = Eigen::Quaterniond(Matrix3d(X_CT.linear() * turn.transpose())).normalized().toRotationMatrix();
+}
+
 Seconds MotionPredictor::ageAt(TimePoint time) const {
   return std::max(Seconds(time - last_), Seconds::zero());
 }

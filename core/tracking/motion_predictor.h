@@ -27,6 +27,9 @@ class MotionPredictor {
   /// A new measured pose with its covariance. A time not after the last one replaces it, and what was known
   /// about the motion is forgotten.
   void add(TimePoint time, const UncertainPose& pose);
+  /// From now on the motion is that of a frame which lies elsewhere on the body: at `time`, where at() was
+  /// expected, it is at `X_CT`; it moves as before. So a shape that is taught anew is no jump of the arm.
+  void moveTo(TimePoint time, const RigidTransform& X_CT);
   void forget() { known_ = false; }
 
   [[nodiscard]] bool isKnown() const { return known_; }

@@ -80,6 +80,7 @@ struct Tracker::Body {
   void followByCliques(TimePoint exposed_at);
   void followByPaper(std::size_t i, TimePoint exposed_at);
   void follow(std::size_t i, TimePoint exposed_at);
+  void fitWhereExpected(std::size_t i, TimePoint exposed_at);
   void seekLost(TimePoint exposed_at);
   void refine(std::size_t i, const SearchResult& found, TimePoint exposed_at);
   void refreshIndex();
@@ -87,7 +88,6 @@ struct Tracker::Body {
   [[nodiscard]] double searchTolerance_m(std::size_t i) const;
   void judge(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
   void accept(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
-  void learn(std::size_t i, TimePoint exposed_at);
   void reteachByPaper(std::size_t i, TimePoint exposed_at);
   void carryOn(std::size_t i, TimePoint exposed_at);
   [[nodiscard]] bool isTracked(std::size_t i) const { return answers[i].status == TrackStatus::kTracked; }
@@ -108,10 +108,19 @@ void Tracker::Body::followByCliques(TimePoint exposed_at) {
   for (std::size_t i = 0; i < followed.size(); ++i)
     if (followed[i].isFresh(exposed_at, settings.follow_for)) follow(i, exposed_at);
   seekLost(exposed_at);
-  for (std::size_t i = 0; i < followed.size(); ++i) learn(i, exposed_at);
+  // After all have taken their points: what is left are strangers.
+  for (std::size_t i = 0; i < followed.size(); ++i)
+    if (isTracked(i)) followed[i].learn(exposed_at, cloud, rig);
 }
 
 void Tracker::Body::follow(std::size_t i, TimePoint exposed_at) {
+  fitWhereExpected(i, exposed_at);
+  // A shape that went with the skin is tried again at once.
+  if (answers[i].reason == LostReason::kBadFit && followed[i].learnFromMisfit(exposed_at, cloud, rig))
+    fitWhereExpected(i, exposed_at);
+}
+
+void Tracker::Body::fitWhereExpected(std::size_t i, TimePoint exposed_at) {
   FollowedTarget& target = followed[i];
   const UncertainPose expected = target.motion().at(exposed_at);
   const double radius_m =
@@ -191,22 +200,10 @@ void Tracker::Body::accept(std::size_t i, const ShapeFit& fit, TimePoint exposed
       answer.point_of_marker[j] = static_cast<std::int16_t>(cloud.sourceOf(point_of_marker[j]));
 }
 
-/// After all have taken their points: what is left are strangers. A shape taught anew is followed at once.
-void Tracker::Body::learn(std::size_t i, TimePoint exposed_at) {
-  FollowedTarget& target = followed[i];
-  if (isTracked(i)) {
-    target.learn(exposed_at, cloud, rig);
-  } else if (answers[i].reason == LostReason::kBadFit && target.isFresh(exposed_at, settings.follow_for)) {
-    target.learnFromMisfit(exposed_at, cloud, rig);
-    if (target.event() == SkinEvent::kSlipped) follow(i, exposed_at);
-  }
-}
-
 void Tracker::Body::followByPaper(std::size_t i, TimePoint exposed_at) {
   FollowedTarget& target = followed[i];
   std::optional<RigidTransform> last_X_CT;
-  if (target.isFresh(exposed_at, settings.follow_for))
-    last_X_CT = target.motion().at(target.motion().lastMeasured()).X_CT;
+  if (target.isFresh(exposed_at, settings.follow_for)) last_X_CT = target.lastPose();
   judge(i, paper.run(target.skin().target().markers_T, cloud.selectFree(), last_X_CT), exposed_at);
   if (isTracked(i) || cloud.countFree() < 3) {
     rejections[i] = 0;
@@ -218,7 +215,7 @@ void Tracker::Body::followByPaper(std::size_t i, TimePoint exposed_at) {
 void Tracker::Body::reteachByPaper(std::size_t i, TimePoint exposed_at) {
   FollowedTarget& target = followed[i];
   if (!target.motion().isKnown()) return;
-  const RigidTransform last_X_CT = target.motion().at(target.motion().lastMeasured()).X_CT;
+  const RigidTransform last_X_CT = target.lastPose();
   const auto adapted = paperReteach(target.skin().target(), cloud.selectFree(), last_X_CT, settings.paper);
   if (!adapted) return;
   target.replaceShape(*adapted);
