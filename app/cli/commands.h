@@ -14,6 +14,7 @@ void addDoctor(CLI::App& app, Context& context);
 void addExperiment(CLI::App& app, Context& context);
 void addSession(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
+void addTarget(CLI::App& app, Context& context);
 void addTeach(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
 

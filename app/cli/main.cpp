@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   addExperiment(app, context);
   addSession(app, context);
   addSimulate(app, context);
+  addTarget(app, context);
   addTeach(app, context);
   addTrack(app, context);
   try {

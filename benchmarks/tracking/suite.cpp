@@ -10,7 +10,8 @@ Suite suite() {
            {"false-pose", "Poses found where the target is not", measureFalsePoses},
            {"pose", "Pose of a target of ten markers at 400 mm, given the rig", measurePose},
            {"prediction", "Prediction of a limb's place from its last poses", measurePrediction},
-           {"skin", "Markers that skin moves against each other", measureSkin}}};
+           {"skin", "Markers that skin moves against each other", measureSkin},
+           {"teaching", "Taught models against the truth", measureTeaching}}};
 }
 
 }  // namespace mirrorarm::benchmarks::tracking

@@ -13,5 +13,6 @@ void measureFalsePoses(Run& run);
 void measurePose(Run& run);
 void measurePrediction(Run& run);
 void measureSkin(Run& run);
+void measureTeaching(Run& run);
 
 }  // namespace mirrorarm::benchmarks::tracking

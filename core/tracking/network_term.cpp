@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kMedianOfChi2_3 = 2.366;  // three degrees of freedom
 constexpr double kSignificance = 4.0;      // standard deviations of a variance estimated to be 0
+constexpr double kLeastShareOfMedian = 0.4;
 constexpr double kLostInNoise = 0.1;       // autocorrelation
 constexpr std::size_t kFewestForTime = 8;  // sightings
 
@@ -78,6 +79,17 @@ void SpreadEstimator::improve(std::span<const NetworkTerm> terms, std::vector<do
       variance = 0.0;
     spread = std::sqrt(variance);
   }
+  keepUnknownSensorsAlike(spread_m);
+}
+
+/// Where the spread stands for the sensor no marker can be much surer than the others; poses that follow one
+/// of them alone would make it look so.
+void SpreadEstimator::keepUnknownSensorsAlike(std::vector<double>& spread_m) const {
+  std::vector<double> sorted = spread_m;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  for (std::size_t i = 0; i < spread_m.size(); ++i)
+    if (knows_sensor_[i] == 0) spread_m[i] = std::max(spread_m[i], kLeastShareOfMedian * *middle);
 }
 
 void SpreadEstimator::score(std::span<const NetworkTerm> terms, std::size_t markers) {

@@ -34,6 +34,7 @@ class SpreadEstimator {
  private:
   void score(std::span<const NetworkTerm> terms, std::size_t markers);
   void scoreFrame(std::span<const NetworkTerm> terms);
+  void keepUnknownSensorsAlike(std::vector<double>& spread_m) const;
 
   std::vector<Eigen::Matrix3d> position_covariance_m2_;  ///< of each marker, poses given
   std::vector<char> knows_sensor_;

@@ -21,7 +21,7 @@ constexpr int kPatience = 5;       // clouds that do not fit before a new beginn
 constexpr int kFirstLook = 10;     // frames before the precision is looked at
 constexpr double kNextLook = 1.2;  // times the frames of the last look
 constexpr int kFramesBetweenLooks = 5;
-constexpr int kStepsOfALook = 2;
+constexpr int kStepsOfALook = 1;
 
 Vector3d centroid(std::span<const Vector3d> points) {
   Vector3d sum = Vector3d::Zero();

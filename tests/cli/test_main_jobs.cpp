@@ -146,7 +146,7 @@ TEST(MainJobs, DoctorSpeaksJson) {
 
 TEST(MainJobs, EveryCommandShowsAnExample) {
   for (const std::string command : {"session", "simulate", "detect", "track", "teach", "calibrate stereo",
-                                    "calibrate mono", "calibrate hand-eye", "doctor"}) {
+                                    "calibrate mono", "calibrate hand-eye", "doctor", "target check"}) {
     const auto help = run(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_NE(help.out.find("Example:"), std::string::npos) << command;

@@ -183,3 +183,18 @@ TEST(BundleAdjustment, OneFrameAndFramesWithTooLittleDoNoHarm) {
   EXPECT_LT(rms(errors(network, truth)), 0.0001);
   EXPECT_TRUE(bundle.covariance_m2().allFinite());
 }
+
+TEST(BundleAdjustment, NoMarkerOfAnUnknownSensorTakesThePosesForItself) {
+  const Target truth = forearm();
+  for (unsigned lesson = 0; lesson < 20; ++lesson) {
+    Noise noise(250 + lesson);
+    MarkerNetwork network = measured(truth, {.frames = 12, .seen = 6, .known = false}, noise);
+    BundleAdjustment bundle;
+    bundle.adjust(network);
+    EXPECT_LT(rms(errors(network, truth)), 0.00005);
+    for (std::size_t i = 0; i < 10; ++i) {
+      EXPECT_GT(network.spread_m[i], 0.000005);
+      EXPECT_LT(std::sqrt(bundle.covarianceOf(i).trace()), 0.0001);
+    }
+  }
+}
