@@ -19,8 +19,9 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Motion = Eigen::Matrix<double, 3, 6>;
 
 constexpr std::size_t kFewestForPose = 3;
-constexpr double kHuber = 4.0;    // standard deviations over three coordinates
-constexpr double kOutlier = 8.0;  // likewise
+constexpr double kHuber = 4.0;           // standard deviations over three coordinates
+constexpr double kOutlier = 8.0;         // likewise
+constexpr double kMedianSigmas = 1.538;  // of three coordinates
 constexpr double kFloor_m = 1e-6;
 constexpr double kStartSpread_m = 0.001;
 constexpr double kSettled_m = 1e-9;
@@ -69,10 +70,26 @@ NetworkTerm termOf(const Sighting& sighting, const RigidTransform& X_CT, const V
   term.sensor_T = R_TC * sighting.covariance_m2 * R_TC.transpose();
   const double own = spread_m * spread_m + kFloor_m * kFloor_m;
   term.weight = (term.sensor_T + own * Matrix3d::Identity()).inverse();
-  term.trust = trustIn(std::sqrt(std::max(0.0, term.residual_T.dot(term.weight * term.residual_T))));
   term.motion = motionAt(marker_T);
-  term.pull = term.trust * term.motion.transpose() * term.weight;
   return term;
+}
+
+double sigmasOf(const NetworkTerm& term) {
+  return std::sqrt(std::max(0.0, term.residual_T.dot(term.weight * term.residual_T)));
+}
+
+/// Outliers are told from the other sightings of their frame: while its pose or the spreads are not right yet
+/// all fit worse than they should.
+void setTrust(std::span<NetworkTerm> terms, std::vector<double>& sigmas) {
+  sigmas.clear();
+  for (const auto& term : terms) sigmas.push_back(sigmasOf(term));
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  const double scale = std::max(1.0, *middle / kMedianSigmas);
+  for (auto& term : terms) {
+    term.trust = trustIn(sigmasOf(term) / scale);
+    term.pull = term.trust * term.motion.transpose() * term.weight;
+  }
 }
 
 /// A frame's own equations for its pose.
@@ -141,6 +158,7 @@ void BundleAdjustment::linearise(const MarkerNetwork& network, std::size_t frame
     terms_.back().frame = static_cast<int>(frame);
   }
   const std::span<NetworkTerm> own(terms_.begin() + static_cast<std::ptrdiff_t>(first), terms_.end());
+  setTrust(own, sigmas_);
   const auto trusted =
       std::count_if(own.begin(), own.end(), [](const NetworkTerm& term) { return term.trust > 0.0; });
   if (static_cast<std::size_t>(trusted) < kFewestForPose) {

@@ -71,6 +71,7 @@ class BundleAdjustment {
 
   std::vector<NetworkTerm> terms_;       ///< frame by frame
   std::vector<std::size_t> first_term_;  ///< of each frame, and one past the last
+  std::vector<double> sigmas_;           ///< of one frame's sightings
   SpreadEstimator spreads_;
   Eigen::MatrixXd normal_;  ///< lower half
   Eigen::MatrixXd free_;    ///< orthonormal motions that no sighting tells

@@ -198,3 +198,20 @@ TEST(BundleAdjustment, NoMarkerOfAnUnknownSensorTakesThePosesForItself) {
     }
   }
 }
+
+TEST(BundleAdjustment, GoesOnFromSpreadsThatAreFarTooSmall) {
+  const Target truth = forearm();
+  for (const bool known : {true, false}) {
+    Noise noise(270);
+    MarkerNetwork network =
+        measured(truth, {.frames = 60, .sigmas_m = Vector3d::Constant(0.00005), .known = known}, noise);
+    network.spread_m.assign(10, 0.000001);
+    BundleAdjustment bundle;
+    bundle.adjust(network);
+    EXPECT_LT(rms(errors(network, truth)), 0.00002);
+    for (std::size_t i = 0; i < 10; ++i) {
+      EXPECT_GT(std::sqrt(bundle.covarianceOf(i).trace()), 0.000005);
+      EXPECT_LT(std::sqrt(bundle.covarianceOf(i).trace()), 0.00003);
+    }
+  }
+}

@@ -347,3 +347,23 @@ TEST(Teacher, AFloodOfPointsIsBoundedAndBrokenOnesAreIgnored) {
   EXPECT_GE(taught->target.markers_T.size(), 10u);
   for (const auto& p : taught->target.markers_T) EXPECT_TRUE(p.allFinite());
 }
+
+TEST(Teacher, IsDoneAlsoWhenTheSensorsCovarianceIsNotKnown) {
+  const Target truth = forearm();
+  Noise noise(46);
+  Teacher teacher{TeacherSettings{}};
+  int frames = 0;
+  for (; frames < 200 && !teacher.isDone(); ++frames) {
+    std::vector<Vector3d> cloud_C;
+    for (const auto& point : shot(truth.markers_T, swing(inFront(), frames / 24.0), frames % 4, noise))
+      cloud_C.push_back(point.p_C);
+    cloud_C.emplace_back(0.1, 0.1, 0.5);
+    teacher.add(cloud_C);
+  }
+  EXPECT_TRUE(teacher.isDone());
+  EXPECT_LE(frames, 150);
+  const auto taught = teacher.finish("forearm");
+  ASSERT_TRUE(taught);
+  EXPECT_EQ(taught->target.markers_T.size(), 10u);
+  EXPECT_LT(worstError(taught->target, truth, swing(inFront(), 0.0)), 0.00004);
+}
