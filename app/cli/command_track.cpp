@@ -74,6 +74,7 @@ Run trackAll(PointSource& source, const std::vector<Target>& targets, tracking::
     const auto answers = tracker.track(frame.points, frame.exposed_at);
     run.durations_ms.push_back(frame.vision_ms + 1e3 * secondsBetween(begin, Clock::now()));
     for (std::size_t t = 0; t < targets.size(); ++t) run.rows.push_back(rowOf(frame, targets[t], answers[t]));
+    tracker.learn();
     noteEvents(tracker, frame.index, run);
   }
   return run;

@@ -13,6 +13,7 @@ void measureFalsePoses(Run& run);
 void measurePose(Run& run);
 void measurePrediction(Run& run);
 void measureSkin(Run& run);
+void measureChain(Run& run);
 void measureTeaching(Run& run);
 
 }  // namespace mirrorarm::benchmarks::tracking

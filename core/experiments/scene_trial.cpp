@@ -63,6 +63,7 @@ std::vector<TrialFrame> track(const PlayedScene& scene, const tracking::Target& 
     const auto& answer = tracker.track(seen.points, shot.frame.exposed_at).front();
     frames.push_back(
         {answer, shot.X_CT, millisecondsBetween(start, between), millisecondsBetween(between, Clock::now())});
+    tracker.learn();
     expected_C.clear();
     if (look_ahead && answer.status == tracking::TrackStatus::kTracked)
       for (const auto& p_T : target.markers_T) expected_C.push_back(answer.X_CT * p_T);

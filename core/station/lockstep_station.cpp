@@ -40,8 +40,10 @@ struct LockstepStation::Body {
 
   void cycle() {
     stages.servo.step(now);
-    if (const auto frame = equipment.cameras->next(Seconds(0.0)))
+    if (const auto frame = equipment.cameras->next(Seconds(0.0))) {
       under_way.push_back({now + toClock(kProcessing), stages.tracking.process(*frame)});
+      stages.tracking.settle();
+    }
     while (!under_way.empty() && under_way.front().arrives <= now) {
       stages.control.report(under_way.front().report);
       under_way.pop_front();

@@ -52,7 +52,10 @@ struct Station::Body {
     while (!stop.stop_requested()) {
       frame_came.waitFor(kPatience);
       if (const auto* frame = frames.take())
-        guarded([&] { stages.control.report(stages.tracking.process(*frame)); });
+        guarded([&] {
+          stages.control.report(stages.tracking.process(*frame));
+          stages.tracking.settle();
+        });
     }
   }
 

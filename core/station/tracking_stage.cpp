@@ -27,25 +27,27 @@ FrameReport TrackingStage::process(const camera::StereoFrame& frame) {
   last_sequence_ = frame.sequence;
   obeyOrders();
 
-  auto seen = std::make_shared<TrackedFrame>();
-  seen->frame = frame;
-  seen->lost_frames = lost_frames_;
+  seen_ = std::make_shared<TrackedFrame>();
+  seen_->frame = frame;
+  seen_->lost_frames = lost_frames_;
   const auto vision_start = Clock::now();
-  seen->observation = vision_.observe(frame);
-  seen->vision_ms = millisecondsSince(vision_start);
+  seen_->observation = vision_.observe(frame);
+  seen_->vision_ms = millisecondsSince(vision_start);
 
   const auto tracking_start = Clock::now();
-  if (lesson_) learn(*seen);
-  if (target_) track(*seen);
-  seen->tracking_ms = millisecondsSince(tracking_start);
-  seen->target = target_;
-  seen->reteachings = target_ ? tracker_.version(0) : 0;
-  seen->skin_events = skin_events_;
-  lookAhead(*seen);
+  if (lesson_) learn();
+  if (target_) track();
+  seen_->tracking_ms = millisecondsSince(tracking_start);
+  return report();
+}
 
-  const auto report = reportOf(*seen);
-  for_screen.put(std::move(seen));
-  return report;
+void TrackingStage::settle() {
+  if (target_) noteSkin();
+  seen_->target = target_;
+  seen_->reteachings = target_ ? tracker_.version(0) : 0;
+  seen_->skin_events = skin_events_;
+  lookAhead();
+  for_screen.put(std::move(seen_));
 }
 
 void TrackingStage::obeyOrders() {
@@ -82,19 +84,19 @@ void TrackingStage::endLesson() {
   skin_events_ = {};
 }
 
-void TrackingStage::learn(const TrackedFrame& seen) {
-  tracking::collectCloud(seen.observation.points, lesson_cloud_);
+void TrackingStage::learn() {
+  tracking::collectCloud(seen_->observation.points, lesson_cloud_);
   lesson_->add(lesson_cloud_);
   if (lesson_->isDone()) endLesson();
 }
 
-void TrackingStage::track(TrackedFrame& seen) {
-  const auto tracked = tracker_.track(seen.observation.points, seen.frame.exposed_at);
-  seen.targets.assign(tracked.begin(), tracked.end());
-  noteSkin();
+void TrackingStage::track() {
+  const auto tracked = tracker_.track(seen_->observation.points, seen_->frame.exposed_at);
+  seen_->targets.assign(tracked.begin(), tracked.end());
 }
 
 void TrackingStage::noteSkin() {
+  tracker_.learn();
   const auto event = tracker_.event(0);
   ++skin_events_[static_cast<std::size_t>(event)];
   if (event != tracking::SkinEvent::kNone)
@@ -105,20 +107,20 @@ void TrackingStage::noteSkin() {
 }
 
 // Search only where the taught markers are expected, hidden ones too; a lost target may be anywhere.
-void TrackingStage::lookAhead(const TrackedFrame& seen) {
+void TrackingStage::lookAhead() {
   expected_C_.clear();
-  if (!lesson_ && !seen.targets.empty() && seen.targets.front().status == tracking::TrackStatus::kTracked)
-    for (const auto& marker_T : target_->markers_T)
-      expected_C_.push_back(seen.targets.front().X_CT * marker_T);
+  const auto& targets = seen_->targets;
+  if (!lesson_ && !targets.empty() && targets.front().status == tracking::TrackStatus::kTracked)
+    for (const auto& marker_T : target_->markers_T) expected_C_.push_back(targets.front().X_CT * marker_T);
   vision_.expect(expected_C_, kLookAheadRadius_m);
 }
 
-FrameReport TrackingStage::reportOf(const TrackedFrame& seen) const {
+FrameReport TrackingStage::report() const {
   FrameReport report;
-  report.exposed_at = seen.frame.exposed_at;
-  report.sequence = seen.frame.sequence;
+  report.exposed_at = seen_->frame.exposed_at;
+  report.sequence = seen_->frame.sequence;
   report.has_target = target_ != nullptr;
-  if (!seen.targets.empty()) report.target = seen.targets.front();
+  if (!seen_->targets.empty()) report.target = seen_->targets.front();
   report.taught_markers = lesson_ ? lesson_->markers() : 0;
   report.taught_sigma_m = lesson_ ? lesson_->sigma_m() : 0.0;
   report.teachings = teachings_;

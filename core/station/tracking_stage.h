@@ -20,8 +20,11 @@ class TrackingStage {
  public:
   TrackingStage(const camera::StereoRig& rig, const StationSettings& settings);
 
-  /// One frame: seen, taught from while a lesson runs, tracked; the whole of it goes to `for_screen`.
+  /// One frame: seen, taught from while a lesson runs, tracked. settle() must follow.
   FrameReport process(const camera::StereoFrame& frame);
+  /// What can wait until the report is on its way: the skin is learnt from the frame, the next one is
+  /// prepared, the whole of this one goes to `for_screen`.
+  void settle();
 
   /// Orders are obeyed at the next frame. Any thread; false when too many wait.
   enum class Order { kBeginLesson, kEndLesson, kForget };
@@ -32,17 +35,18 @@ class TrackingStage {
  private:
   void obeyOrders();
   void endLesson();
-  void learn(const TrackedFrame& seen);
-  void track(TrackedFrame& seen);
+  void learn();
+  void track();
   void noteSkin();
-  void lookAhead(const TrackedFrame& seen);
-  [[nodiscard]] FrameReport reportOf(const TrackedFrame& seen) const;
+  void lookAhead();
+  [[nodiscard]] FrameReport report() const;
 
   const tracking::TeacherSettings teacher_settings_;
   BoundedQueue<Order, 16> orders_;
   vision::StereoVision vision_;
   tracking::Tracker tracker_;
   std::optional<tracking::Teacher> lesson_;
+  std::shared_ptr<TrackedFrame> seen_;  ///< the frame being processed
   std::shared_ptr<const tracking::Target> target_;
   std::vector<tracking::CloudPoint> lesson_cloud_;
   std::vector<Eigen::Vector3d> expected_C_;  ///< where the markers should be in the next frame

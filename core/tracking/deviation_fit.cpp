@@ -29,28 +29,39 @@ void DeviationFit::run(std::span<SeenMarker> seen, const DeviationModes& modes, 
     information_.push_back(marker.covariance_m2.inverse());
     marker.weight = marker.counts ? 1.0 : 0.0;
   }
+  const bool modes_move = prior.mode_steps_m2.maxCoeff() > 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
-    solve(seen, prior);
+    if (modes_move)
+      solve<kUnknowns>(seen, prior);
+    else
+      solve<6>(seen, prior);
     if (!reweight(seen)) break;
   }
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i].fitted_m2 = seen[i].weight * rows_[i] * covariance_ * rows_[i].transpose();
 }
 
+/// For the first Size unknowns; the others stay zero.
+template <int Size>
 void DeviationFit::solve(std::span<const SeenMarker> seen, const Prior& prior) {
-  Normal normal = Normal::Zero();
-  normal.topLeftCorner<6, 6>() = prior.motion_information;
-  normal.diagonal().tail<kModes>() = prior.mode_steps_m2.cwiseMax(kLeastStep_m2).cwiseInverse();
-  Unknowns right = Unknowns::Zero();
+  using Square = Eigen::Matrix<double, Size, Size>;
+  Square normal = Square::Zero();
+  normal.template topLeftCorner<6, 6>() = prior.motion_information;
+  normal.diagonal().template tail<Size - 6>() =
+      prior.mode_steps_m2.template head<Size - 6>().cwiseMax(kLeastStep_m2).cwiseInverse();
+  Eigen::Matrix<double, Size, 1> right = Eigen::Matrix<double, Size, 1>::Zero();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].weight <= 0.0) continue;
-    const Eigen::Matrix<double, kUnknowns, 3> gain = seen[i].weight * rows_[i].transpose() * information_[i];
-    normal.noalias() += gain * rows_[i];
-    right.noalias() += gain * seen[i].innovation;
+    const Eigen::Matrix<double, 3, Size> rows = rows_[i].template leftCols<Size>();
+    const Eigen::Matrix<double, Size, 3> gain = seen[i].weight * rows.transpose() * information_[i];
+    normal += gain.lazyProduct(rows);
+    right += gain.lazyProduct(seen[i].innovation);
   }
-  const Eigen::LDLT<Normal> solver(normal);
-  covariance_ = solver.solve(Normal::Identity());
-  unknowns_ = solver.solve(right);
+  const Eigen::LDLT<Square> solver(normal);
+  covariance_.setZero();
+  covariance_.template topLeftCorner<Size, Size>() = solver.solve(Square::Identity());
+  unknowns_.setZero();
+  unknowns_.template head<Size>() = solver.solve(right);
 }
 
 /// Full weight where the misfit is as expected, or as with most of the others; false when nothing changed.

@@ -48,6 +48,7 @@ class DeviationFit {
   using Rows = Eigen::Matrix<double, 3, kUnknowns>;
   using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
+  template <int Size>
   void solve(std::span<const SeenMarker> seen, const Prior& prior);
   bool reweight(std::span<SeenMarker> seen);
 

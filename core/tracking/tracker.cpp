@@ -64,6 +64,7 @@ struct Tracker::Body {
   std::optional<camera::StereoRig> rig;
   std::vector<FollowedTarget> followed;
   std::vector<int> rejections;  ///< in a row, of the paper's method
+  bool unlearnt = false;        ///< the last frame still has to be learnt from
   std::vector<TrackedTarget> answers;
   FrameCloud cloud;
   WarmRegistration warm;
@@ -108,9 +109,6 @@ void Tracker::Body::followByCliques(TimePoint exposed_at) {
   for (std::size_t i = 0; i < followed.size(); ++i)
     if (followed[i].isFresh(exposed_at, settings.follow_for)) follow(i, exposed_at);
   seekLost(exposed_at);
-  // After all have taken their points: what is left are strangers.
-  for (std::size_t i = 0; i < followed.size(); ++i)
-    if (isTracked(i)) followed[i].learn(exposed_at, cloud, rig);
 }
 
 void Tracker::Body::follow(std::size_t i, TimePoint exposed_at) {
@@ -249,6 +247,7 @@ void Tracker::setTargets(std::span<const Target> targets) {
   body_->rejections.assign(targets.size(), 0);
   body_->answers.assign(targets.size(), TrackedTarget{});
   body_->indexed_versions.clear();
+  body_->unlearnt = false;
 }
 
 std::size_t Tracker::size() const { return body_->followed.size(); }
@@ -259,9 +258,20 @@ int Tracker::version(std::size_t index) const { return body_->followed[index].ve
 
 SkinEvent Tracker::event(std::size_t index) const { return body_->followed[index].event(); }
 
+/// After all have taken their points: what is left are strangers.
+void Tracker::learn() {
+  Body& body = *body_;
+  if (!body.unlearnt || body.settings.method != TrackingMethod::kCliques) return;
+  body.unlearnt = false;
+  for (std::size_t i = 0; i < body.followed.size(); ++i)
+    if (body.isTracked(i)) body.followed[i].learn(body.answers[i].exposed_at, body.cloud, body.rig);
+}
+
 std::span<const TrackedTarget> Tracker::track(std::span<const StereoPoint> points, TimePoint exposed_at) {
   Body& body = *body_;
+  learn();
   body.begin(points, exposed_at);
+  body.unlearnt = true;
   if (body.settings.method == TrackingMethod::kCliques) {
     body.followByCliques(exposed_at);
   } else {

@@ -70,13 +70,18 @@ class Tracker {
   /// Rises when target(index) was taught anew while it was followed: by a slip, an added marker, or in the
   /// paper's way after several rejections.
   [[nodiscard]] int version(std::size_t index) const;
-  /// What the last frame showed of the target's skin.
+  /// What the last frame that was learnt from showed of the target's skin.
   [[nodiscard]] SkinEvent event(std::size_t index) const;
 
   /// One answer a target, in the order of the targets; the span stays good until the next call. Frames come
   /// in the order of their exposure.
   [[nodiscard]] std::span<const TrackedTarget> track(std::span<const vision::StereoPoint> points,
                                                      TimePoint exposed_at);
+
+  /// Learns from the frame just tracked how the skin moved. Apart from track(), so that the robot has the
+  /// pose first; called by the next track() when nobody did. event(), version() and target() speak of what
+  /// was learnt.
+  void learn();
 
   /// Where a target is at any time: carried on from its last measured poses; kStale when those are too old.
   [[nodiscard]] TrackedTarget at(std::size_t index, TimePoint time) const;
