@@ -8,6 +8,7 @@
 #include "app/cli/point_source.h"
 #include "app/cli/timing.h"
 #include "app/cli/tracker_option.h"
+#include "core/tracking/layout_report.h"
 #include "core/tracking/pose_file.h"
 #include "core/tracking/target_file.h"
 #include "core/tracking/tracker.h"
@@ -116,6 +117,7 @@ void track(const Options& options, Context& context) {
   const Run run = trackAll(*source, targets, options.tracker);
   orFail(tracking::writePoses(options.poses, run.rows));
   if (!options.matches.empty()) orFail(tracking::writeMatches(options.matches, run.rows));
+  const auto warnings = tracking::layoutWarnings(targets);
   context.result = {{"frames", source->size()},
                     {"targets", targets.size()},
                     {"tracked_share", shareOf(run.rows, TrackStatus::kTracked)},
@@ -123,12 +125,14 @@ void track(const Options& options, Context& context) {
                     {"lost_share", shareOf(run.rows, TrackStatus::kLost)},
                     {"not_tracked", whyNotTracked(run.rows)},
                     {"events", run.events},
+                    {"warnings", warnings},
                     {"rms_mm", rmsMm(run.rows)},
                     {"ms_per_frame", medianAndP99(run.durations_ms)}};
   if (arm) context.result["arm"] = writeArmAngles(options.angles.angles, *arm, run.rows);
   if (context.json) return;
   std::cout << source->size() << " frames, " << 100.0 * context.result["tracked_share"].get<double>()
             << " % tracked, poses in " << options.poses.string() << "\n";
+  for (const auto& line : warnings) std::cout << "warning: " << line << "\n";
 }
 
 }  // namespace

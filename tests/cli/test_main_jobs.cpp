@@ -145,8 +145,9 @@ TEST(MainJobs, DoctorSpeaksJson) {
 }
 
 TEST(MainJobs, EveryCommandShowsAnExample) {
-  for (const std::string command : {"session", "simulate", "detect", "track", "teach", "calibrate stereo",
-                                    "calibrate mono", "calibrate hand-eye", "doctor", "target check"}) {
+  for (const std::string command :
+       {"session", "simulate", "detect", "track", "teach", "calibrate stereo", "calibrate mono",
+        "calibrate hand-eye", "doctor", "experiment occlusion", "experiment timing", "target check", "arm"}) {
     const auto help = run(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_NE(help.out.find("Example:"), std::string::npos) << command;

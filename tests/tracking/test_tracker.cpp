@@ -268,6 +268,7 @@ TEST(Tracker, TheModelIsTaughtAnewWhenTheSleeveSlips) {
     const auto& markers_T = frame < 48 ? target.markers_T : slipped.markers_T;
     const auto answer = tracker.track(asStereo(look(markers_T, armAt(t), 10, 2, noise).points_C),
                                       TimePoint(toClock(Seconds(t))))[0];
+    tracker.learn();
     told += tracker.event(0) == SkinEvent::kSlipped ? 1 : 0;
     lost += answer.status == TrackStatus::kLost ? 1 : 0;
     EXPECT_TRUE(frame < 100 || answer.matched_count == 10) << frame;
