@@ -53,7 +53,8 @@ SessionScript::Progress SessionScript::waitForMarkers() {
 }
 
 SessionScript::Progress SessionScript::teach() {
-  if (waited() < settings_.teaching) return Progress::kRunning;
+  const bool ended = seen_.control.phase == therapy::Phase::kTaught;  // precise enough, by itself
+  if (waited() < settings_.teaching && !ended) return Progress::kRunning;
   instruct_(false);
   return ask(Action::kFinishTeaching, Stage::kEndTeaching);
 }

@@ -21,7 +21,8 @@ struct StationSettings {
   vision::FinderSettings finder;
   vision::MatcherSettings matcher;
   tracking::TrackerSettings tracker;
-  tracking::TeacherSettings teacher;
+  /// Five seconds at least, so that a lesson that ends by itself has seen the arm move.
+  tracking::TeacherSettings teacher{.min_frames = 120};
   control::FollowerSettings follower;
   control::SupervisorSettings supervisor;
   robot::PlannerSettings planner;

@@ -46,6 +46,14 @@ TEST(LockstepSession, CarriesARecordedArm) {
   EXPECT_GE(session.script().seen().record.measures.tracked_share, 0.95);
 }
 
+TEST(LockstepSession, ALessonEndsByItselfOnceItIsPrecise) {
+  BenchSession session({.teaching = Seconds(60.0), .training = Seconds(3.0)});
+  const auto isTaught = [](const Snapshot& seen) { return seen.control.phase == therapy::Phase::kTaught; };
+  ASSERT_EQ(session.runUntil(isTaught), SessionScript::Progress::kRunning) << session.script().failure();
+  EXPECT_LT(session.script().seen().control.time, TimePoint(std::chrono::seconds(30)));
+  EXPECT_EQ(session.run(), SessionScript::Progress::kDone) << session.script().failure();
+}
+
 TEST(LockstepSession, RefusesWhatThePhaseDoesNotAllow) {
   BenchSession session({});
   session.wait(Seconds(0.2));
