@@ -8,7 +8,7 @@ namespace mirrorarm::vision {
 namespace {
 
 constexpr int kRounds = 4;
-constexpr double kLeastVariance_px2 = 1e-6;
+constexpr double kLeastVariance_px2 = 1e-8;
 
 std::optional<PointImage> imagedBy(const camera::CameraModel& camera, const Eigen::Vector3d& p_K) {
   PointImage image;
