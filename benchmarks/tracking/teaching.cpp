@@ -68,6 +68,7 @@ std::vector<Vector3d> runningMean(const LessonScene& scene) {
                                    : mean_T[static_cast<std::size_t>(marker)]);
       y.push_back(frame.cloud[k].p_C);
     }
+    if (x.size() < 3) continue;
     const RigidTransform X_TC = fitByKabsch(x, y).inverse();
     for (std::size_t k = 0; k < frame.cloud.size(); ++k) {
       if (frame.marker_of_point[k] < 0) continue;
