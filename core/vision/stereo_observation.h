@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,9 +26,6 @@ struct StereoPoint {
   int rivals = 0;         ///< other pairs that claim one of its two discs
   bool preferred = true;  ///< none of them is better supported: the one to take when no model decides
 };
-
-/// Where the preferred points are [m], for those who ask no model; `places_C` is emptied first.
-void collectPreferred(std::span<const StereoPoint> points, std::vector<Eigen::Vector3d>& places_C);
 
 /// Everything that vision says about one frame.
 struct StereoObservation {
