@@ -53,7 +53,7 @@ QString teachingProgress(const station::ControlState& control) {
   const QString markers = SessionPresenter::tr("Markers so far: %1").arg(control.taught_markers);
   const double sigma_mm = 1e3 * control.taught_sigma_m;
   if (control.taught_markers == 0 || !std::isfinite(sigma_mm)) return markers;
-  return SessionPresenter::tr("%1  ·  known to %2 mm").arg(markers).arg(sigma_mm, 0, 'f', 2);
+  return SessionPresenter::tr("%1  ·  known to %2 mm").arg(markers).arg(sigma_mm, 0, 'f', 3);
 }
 
 QString progressOf(const station::Snapshot& snapshot) {
