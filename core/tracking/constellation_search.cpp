@@ -154,10 +154,10 @@ void ConstellationSearch::setTargets(std::span<const std::span<const Vector3d>> 
                                      std::span<const double> tolerances_m) {
   assert(tolerances_m.empty() || tolerances_m.size() == targets_T.size());
   Body& body = *body_;
-  body.targets.clear();
-  for (const auto& markers_T : targets_T) {
-    assert(markers_T.size() <= static_cast<std::size_t>(kMaxMarkers));
-    body.targets.emplace_back(markers_T.begin(), markers_T.end());
+  body.targets.resize(targets_T.size());
+  for (std::size_t i = 0; i < targets_T.size(); ++i) {
+    assert(targets_T[i].size() <= static_cast<std::size_t>(kMaxMarkers));
+    body.targets[i].assign(targets_T[i].begin(), targets_T[i].end());
   }
   body.tolerances_m.assign(targets_T.size(), body.settings.tolerance_m);
   std::ranges::copy(tolerances_m, body.tolerances_m.begin());
@@ -165,7 +165,7 @@ void ConstellationSearch::setTargets(std::span<const std::span<const Vector3d>> 
   body.index.build(body.targets);
   body.agreements.resize(targets_T.size());
   body.claims.resize(targets_T.size());
-  body.results.assign(targets_T.size(), {});
+  body.results.resize(targets_T.size());
 }
 
 std::span<const SearchResult> ConstellationSearch::run(std::span<const CloudPoint> cloud,

@@ -16,7 +16,7 @@
 namespace mirrorarm::tracking {
 
 struct TeacherSettings {
-  SoftassignSettings softassign;
+  SoftassignSettings softassign{};
   double max_rms_m = 0.003;   ///< frames that fit worse are left out
   double min_presence = 0.5;  ///< share of the frames in which a point must be seen to become a marker
   double marker_diameter_m = 0.007;

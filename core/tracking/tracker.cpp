@@ -17,8 +17,6 @@ using vision::StereoPoint;
 // How sure a pose from nothing is until it is fitted by likelihood.
 constexpr double kFoundTurn_rad = 0.02;
 constexpr double kFoundShift_m = 0.0015;
-// A shape that deforms more than before is sought with a wider tolerance: not for every trifle.
-constexpr double kToleranceStep = 1.25;
 constexpr double kMaxTolerance_m = 0.004;  // beyond it chance explains everything
 constexpr int kMinFromNothing = 4;
 
@@ -71,10 +69,10 @@ struct Tracker::Body {
   ConstellationSearch search;
   PaperRegistration paper;
 
-  // What the search knows: the shapes it was given.
-  std::vector<int> indexed_versions;
-  std::vector<double> indexed_tolerances_m;
+  // What the search is given: shapes that follow the skin.
+  bool index_is_current = false;
   std::vector<std::span<const Eigen::Vector3d>> shapes_T;
+  std::vector<double> tolerances_m;
   std::vector<char> wanted;
 
   void begin(std::span<const StereoPoint> points, TimePoint exposed_at);
@@ -85,7 +83,6 @@ struct Tracker::Body {
   void seekLost(TimePoint exposed_at);
   void refine(std::size_t i, const SearchResult& found, TimePoint exposed_at);
   void refreshIndex();
-  [[nodiscard]] bool isIndexCurrent() const;
   [[nodiscard]] double searchTolerance_m(std::size_t i) const;
   void judge(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
   void accept(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
@@ -113,9 +110,10 @@ void Tracker::Body::followByCliques(TimePoint exposed_at) {
 
 void Tracker::Body::follow(std::size_t i, TimePoint exposed_at) {
   fitWhereExpected(i, exposed_at);
+  if (answers[i].reason != LostReason::kBadFit) return;
+  index_is_current = false;
   // A shape that went with the skin is tried again at once.
-  if (answers[i].reason == LostReason::kBadFit && followed[i].learnFromMisfit(exposed_at, cloud, rig))
-    fitWhereExpected(i, exposed_at);
+  if (followed[i].learnFromMisfit(exposed_at, cloud, rig)) fitWhereExpected(i, exposed_at);
 }
 
 void Tracker::Body::fitWhereExpected(std::size_t i, TimePoint exposed_at) {
@@ -131,7 +129,7 @@ void Tracker::Body::seekLost(TimePoint exposed_at) {
   wanted.resize(followed.size());
   for (std::size_t i = 0; i < followed.size(); ++i) wanted[i] = isTracked(i) ? 0 : 1;
   if (std::count(wanted.begin(), wanted.end(), 1) == 0) return;
-  if (!isIndexCurrent()) refreshIndex();
+  if (!index_is_current) refreshIndex();
   const auto found = search.run(cloud.selectFree(), wanted);
   for (std::size_t i = 0; i < followed.size(); ++i)
     if (wanted[i] != 0) refine(i, found[i], exposed_at);
@@ -141,27 +139,15 @@ double Tracker::Body::searchTolerance_m(std::size_t i) const {
   return std::min(settings.search.tolerance_m + followed[i].skin().tolerance_m(), kMaxTolerance_m);
 }
 
-bool Tracker::Body::isIndexCurrent() const {
-  if (indexed_versions.size() != followed.size()) return false;
-  for (std::size_t i = 0; i < followed.size(); ++i) {
-    const double change = searchTolerance_m(i) / indexed_tolerances_m[i];
-    if (indexed_versions[i] != followed[i].version() || change > kToleranceStep ||
-        change * kToleranceStep < 1.0)
-      return false;
-  }
-  return true;
-}
-
 void Tracker::Body::refreshIndex() {
-  indexed_versions.clear();
-  indexed_tolerances_m.clear();
   shapes_T.clear();
-  for (const FollowedTarget& target : followed) {
-    indexed_versions.push_back(target.version());
-    indexed_tolerances_m.push_back(searchTolerance_m(indexed_tolerances_m.size()));
-    shapes_T.push_back(target.skin().target().markers_T);
+  tolerances_m.clear();
+  for (std::size_t i = 0; i < followed.size(); ++i) {
+    shapes_T.push_back(followed[i].skin().target().markers_T);
+    tolerances_m.push_back(searchTolerance_m(i));
   }
-  search.setTargets(shapes_T, indexed_tolerances_m);
+  search.setTargets(shapes_T, tolerances_m);
+  index_is_current = true;
 }
 
 void Tracker::Body::refine(std::size_t i, const SearchResult& found, TimePoint exposed_at) {
@@ -246,7 +232,7 @@ void Tracker::setTargets(std::span<const Target> targets) {
   }
   body_->rejections.assign(targets.size(), 0);
   body_->answers.assign(targets.size(), TrackedTarget{});
-  body_->indexed_versions.clear();
+  body_->index_is_current = false;
   body_->unlearnt = false;
 }
 
@@ -263,8 +249,11 @@ void Tracker::learn() {
   Body& body = *body_;
   if (!body.unlearnt || body.settings.method != TrackingMethod::kCliques) return;
   body.unlearnt = false;
-  for (std::size_t i = 0; i < body.followed.size(); ++i)
-    if (body.isTracked(i)) body.followed[i].learn(body.answers[i].exposed_at, body.cloud, body.rig);
+  for (std::size_t i = 0; i < body.followed.size(); ++i) {
+    if (!body.isTracked(i)) continue;
+    body.index_is_current = false;
+    body.followed[i].learn(body.answers[i].exposed_at, body.cloud, body.rig);
+  }
 }
 
 std::span<const TrackedTarget> Tracker::track(std::span<const StereoPoint> points, TimePoint exposed_at) {

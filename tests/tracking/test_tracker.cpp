@@ -341,6 +341,26 @@ TEST(Tracker, TakesNothingFromTheHeapOnceItFollows) {
   }
 }
 
+TEST(Tracker, SeekingAnotherTargetTakesNothingFromTheHeapEither) {
+  if (!mirrorarm::testing::heapIsCounted) GTEST_SKIP() << "a sanitizer brings its own heap";
+  const Target target = forearm();
+  Target absent = target;
+  absent.name = "absent";
+  for (auto& p : absent.markers_T) p = Vector3d(1.3 * p.x(), 0.7 * p.z(), -1.2 * p.y());
+  Noise noise(31);
+  Tracker tracker = trackerOf({target, absent});
+  for (int frame = 0; frame < 90; ++frame) {
+    const double t = frame / 24.0;
+    const auto points = asStereo(look(target.markers_T, armAt(t), 10, 6, noise).points_C);
+    const TimePoint exposed_at(toClock(Seconds(t)));
+    const auto calls = mirrorarm::testing::heapCallsIn([&] {
+      (void)tracker.track(points, exposed_at);
+      tracker.learn();
+    });
+    ASSERT_TRUE(frame < 60 || calls == 0) << frame;
+  }
+}
+
 TEST(Tracker, ThePapersMethodTracksToo) {
   const Target target = forearm();
   TrackerSettings settings;
