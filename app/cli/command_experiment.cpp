@@ -1,5 +1,8 @@
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
+#include <iostream>
+#include <memory>
 #include <sstream>
 
 #include "app/cli/commands.h"
@@ -8,10 +11,20 @@
 
 namespace mirrorarm::cli {
 
-void writeExperiment(const std::filesystem::path& folder, const std::string& name,
-                     const nlohmann::ordered_json& result, const std::string& table) {
-  orFail(writeWhole(folder / (name + ".json"), [&](std::ostream& out) { out << result.dump(2) << "\n"; }));
-  orFail(writeWhole(folder / (name + ".md"), [&](std::ostream& out) { out << table; }));
+void addExperimentCommand(CLI::App& experiment, Context& context, const std::string& name,
+                          const std::string& description, const std::function<ExperimentReport()>& measure) {
+  CLI::App* command = addCommand(experiment, context, name, description,
+                                 "mirrorarm-cli experiment " + name + " --out results");
+  const auto out = std::make_shared<std::filesystem::path>();
+  command->add_option("--out", *out, "Folder for the table and its JSON")->required();
+  command->callback([name, measure, out, &context] {
+    const ExperimentReport report = measure();
+    context.result = report.result;
+    orFail(writeWhole(*out / (name + ".json"),
+                      [&](std::ostream& file) { file << report.result.dump(2) << "\n"; }));
+    orFail(writeWhole(*out / (name + ".md"), [&](std::ostream& file) { file << report.table; }));
+    if (!context.json) std::cout << report.table;
+  });
 }
 
 std::string fixedNumber(double value, int digits) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include <functional>
+#include <string>
 
 #include <CLI/App.hpp>
 
@@ -12,9 +13,16 @@ namespace mirrorarm::cli {
 void addExperimentOcclusion(CLI::App& experiment, Context& context);
 void addExperimentTiming(CLI::App& experiment, Context& context);
 
-/// Writes `<name>.json` and the table `<name>.md` into `folder`, each whole or not at all.
-void writeExperiment(const std::filesystem::path& folder, const std::string& name,
-                     const nlohmann::ordered_json& result, const std::string& table);
+/// What an experiment found: for programs and as a table for people.
+struct ExperimentReport {
+  nlohmann::ordered_json result;
+  std::string table;
+};
+
+/// Adds `experiment <name> --out DIR`, which calls `measure` (throws InputRefused) and writes DIR/<name>.json
+/// and the table DIR/<name>.md, each whole or not at all.
+void addExperimentCommand(CLI::App& experiment, Context& context, const std::string& name,
+                          const std::string& description, const std::function<ExperimentReport()>& measure);
 
 /// `value` with a fixed number of digits, "-" when it is none.
 [[nodiscard]] std::string fixedNumber(double value, int digits);

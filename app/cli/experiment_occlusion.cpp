@@ -1,5 +1,3 @@
-#include <iostream>
-#include <memory>
 #include <sstream>
 
 #include "app/cli/experiment_commands.h"
@@ -66,24 +64,17 @@ std::string tableOf(const std::vector<OcclusionRow>& rows) {
   return out.str();
 }
 
-void measure(const std::filesystem::path& out, Context& context) {
+ExperimentReport measure() {
   const auto rows = experiments::measureOcclusion(resourceFolder());
   if (!rows) throw InputRefused(rows.error());
-  context.result = jsonOf(*rows);
-  const std::string table = tableOf(*rows);
-  writeExperiment(out, "occlusion", context.result, table);
-  if (!context.json) std::cout << table;
+  return {jsonOf(*rows), tableOf(*rows)};
 }
 
 }  // namespace
 
 void addExperimentOcclusion(CLI::App& experiment, Context& context) {
-  CLI::App* command =
-      addCommand(experiment, context, "occlusion", "Up to half of the markers covered (section 3.2)",
-                 "mirrorarm-cli experiment occlusion --out results");
-  const auto out = std::make_shared<std::filesystem::path>();
-  command->add_option("--out", *out, "Folder for the table and its JSON")->required();
-  command->callback([out, &context] { measure(*out, context); });
+  addExperimentCommand(experiment, context, "occlusion", "Up to half of the markers covered (section 3.2)",
+                       measure);
 }
 
 }  // namespace mirrorarm::cli

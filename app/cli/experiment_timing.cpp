@@ -1,5 +1,3 @@
-#include <iostream>
-#include <memory>
 #include <sstream>
 
 #include "app/cli/experiment_commands.h"
@@ -53,24 +51,17 @@ std::string tableOf(const TimingResult& of) {
   return out.str();
 }
 
-void measure(const std::filesystem::path& out, Context& context) {
+ExperimentReport measure() {
   const auto result = experiments::measureTiming(resourceFolder());
   if (!result) throw InputRefused(result.error());
-  context.result = jsonOf(*result);
-  const std::string table = tableOf(*result);
-  writeExperiment(out, "timing", context.result, table);
-  if (!context.json) std::cout << table;
+  return {jsonOf(*result), tableOf(*result)};
 }
 
 }  // namespace
 
 void addExperimentTiming(CLI::App& experiment, Context& context) {
-  CLI::App* command =
-      addCommand(experiment, context, "timing", "Computing time with ten markers (section 3.2)",
-                 "mirrorarm-cli experiment timing --out results");
-  const auto out = std::make_shared<std::filesystem::path>();
-  command->add_option("--out", *out, "Folder for the table and its JSON")->required();
-  command->callback([out, &context] { measure(*out, context); });
+  addExperimentCommand(experiment, context, "timing", "Computing time with ten markers (section 3.2)",
+                       measure);
 }
 
 }  // namespace mirrorarm::cli

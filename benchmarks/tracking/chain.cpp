@@ -3,6 +3,7 @@
 #include "benchmarks/vision/moving_scene.h"
 #include "benchmarks/vision/stereo_discs.h"
 #include "core/common/time.h"
+#include "core/geometry/rigid_fit.h"
 #include "core/tracking/tracker.h"
 #include "core/vision/stereo_vision.h"
 #include "tests/common/no_heap.h"
@@ -24,8 +25,7 @@ class Chain {
       : ring_(ring), vision_(rig, {}, {}), tracker_(product::TrackerSettings{}) {
     target_.name = "arm";
     target_.markers_T = ring.front().discs_C;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const auto& p : target_.markers_T) middle += p / static_cast<double>(target_.markers_T.size());
+    const Eigen::Vector3d middle = centroid(target_.markers_T);
     for (auto& p : target_.markers_T) p -= middle;
     tracker_.setRig(rig);
     tracker_.setTargets({&target_, 1});

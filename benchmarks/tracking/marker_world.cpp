@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/geometry/rigid_fit.h"
+
 namespace mirrorarm::benchmarks::tracking {
 namespace {
 
@@ -55,9 +57,8 @@ Layout randomLayout(int markers, TrialRandom& random) {
     if (std::ranges::all_of(layout, [&](const Vector3d& p) { return (p - next).norm() >= kLeastDistance_m; }))
       layout.push_back(next);
   }
-  Vector3d centroid = Vector3d::Zero();
-  for (const Vector3d& p : layout) centroid += p / markers;
-  for (Vector3d& p : layout) p -= centroid;
+  const Vector3d middle = centroid(layout);
+  for (Vector3d& p : layout) p -= middle;
   return layout;
 }
 

@@ -1,7 +1,6 @@
 #include "benchmarks/tracking/nearest_neighbour_icp.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/geometry/rigid_fit.h"
 
@@ -19,11 +18,6 @@ struct Pair {
   int x = 0;
   int y = 0;
 };
-
-Vector3d centroid(Points points) {
-  return std::accumulate(points.begin(), points.end(), Vector3d(Vector3d::Zero())) /
-         static_cast<double>(points.size());
-}
 
 /// Of every model point the nearest cloud point, nearest pairs first.
 std::vector<Pair> nearestPairs(Points x, Points y, const RigidTransform& X_YX) {

@@ -8,6 +8,7 @@
 #include "benchmarks/parallel.h"
 #include "benchmarks/statistics.h"
 #include "benchmarks/timing.h"
+#include "benchmarks/tracking/pose_error.h"
 #include "benchmarks/tracking/suite.h"
 #include "benchmarks/tracking/target_view.h"
 #include "core/geometry/rigid_fit.h"
@@ -55,13 +56,6 @@ struct Sight {
   Matches matches;
   RigidTransform X_CT_true = RigidTransform::Identity();
 };
-
-double squaredSigmas(const PoseEstimate& estimate, const RigidTransform& X_CT_true) {
-  const RigidTransform d = estimate.X_CT.inverse() * X_CT_true;
-  Eigen::Matrix<double, 6, 1> error;
-  error << rotationVector(d.linear()), d.translation();
-  return error.dot(estimate.covariance.inverse() * error);
-}
 
 RigidTransform kabschOf(const Matches& matches) {
   std::vector<Eigen::Vector3d> markers_T, points_C;

@@ -8,6 +8,7 @@
 #include "benchmarks/statistics.h"
 #include "benchmarks/timing.h"
 #include "benchmarks/tracking/limb_motion.h"
+#include "benchmarks/tracking/pose_error.h"
 #include "benchmarks/tracking/suite.h"
 #include "core/tracking/motion_predictor.h"
 
@@ -67,13 +68,6 @@ UncertainPose measure(const RigidTransform& X_CT, const Sensing& sensing, TrialR
   pose.covariance.topLeftCorner<3, 3>() = kTurnNoise_rad * kTurnNoise_rad * Eigen::Matrix3d::Identity();
   pose.covariance.bottomRightCorner<3, 3>() = R_TC * variance_C * R_TC.transpose();
   return pose;
-}
-
-double squaredSigmas(const UncertainPose& pose, const RigidTransform& X_CT_true) {
-  const RigidTransform d = pose.X_CT.inverse() * X_CT_true;
-  Eigen::Matrix<double, 6, 1> error;
-  error << rotationVector(d.linear()), d.translation();
-  return error.dot(pose.covariance.inverse() * error);
 }
 
 /// The last three measured places, the newest first, carried on by polynomials.

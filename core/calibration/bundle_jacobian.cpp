@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/calibration/cross_matrix.h"
+#include "core/geometry/small_motion.h"
 
 namespace mirrorarm::calibration {
 namespace {

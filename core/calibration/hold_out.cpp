@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/calibration/cross_matrix.h"
+#include "core/geometry/small_motion.h"
 
 namespace mirrorarm::calibration {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Dense>
 
-#include "core/calibration/cross_matrix.h"
 #include "core/calibration/visp_bridge.h"
+#include "core/geometry/small_motion.h"
 
 namespace mirrorarm::calibration {
 namespace {

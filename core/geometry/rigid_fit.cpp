@@ -7,15 +7,16 @@
 
 namespace mirrorarm {
 
+Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> points) {
+  assert(!points.empty());
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 RigidTransform fitByKabsch(std::span<const Eigen::Vector3d> x, std::span<const Eigen::Vector3d> y) {
   assert(x.size() == y.size() && !x.empty());
-  Eigen::Vector3d mean_x = Eigen::Vector3d::Zero(), mean_y = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i];
-    mean_y += y[i];
-  }
-  mean_x /= static_cast<double>(x.size());
-  mean_y /= static_cast<double>(y.size());
+  const Eigen::Vector3d mean_x = centroid(x), mean_y = centroid(y);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < x.size(); ++i) covariance += (y[i] - mean_y) * (x[i] - mean_x).transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);

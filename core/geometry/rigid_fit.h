@@ -8,6 +8,9 @@
 
 namespace mirrorarm {
 
+/// Mean of the points, at least 1.
+[[nodiscard]] Eigen::Vector3d centroid(std::span<const Eigen::Vector3d> points);
+
 /// The pose X with the least sum of |y - X x|^2, by singular values (Kabsch 1976, Umeyama 1991 without
 /// scale). Spans of equal length, at least 1 point; below 3 points not on a line the rotation is one of many.
 [[nodiscard]] RigidTransform fitByKabsch(std::span<const Eigen::Vector3d> x,

@@ -7,6 +7,7 @@
 
 #include "core/geometry/rigid_transform.h"
 #include "core/tracking/cloud_point.h"
+#include "core/tracking/one_to_one.h"
 
 namespace mirrorarm::tracking {
 
@@ -19,13 +20,7 @@ class Association {
            double gate_m, std::vector<int>& y_of_x, std::span<const SeenDiscs> discs_of_y = {});
 
  private:
-  struct Pair {
-    double squared_distance = 0.0;
-    int x = 0;
-    int y = 0;
-  };
-  std::vector<Pair> pairs_;
-  std::vector<char> taken_;
+  std::vector<CandidatePair> pairs_;
 };
 
 }  // namespace mirrorarm::tracking

@@ -7,6 +7,8 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
@@ -15,8 +17,6 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Motion = Eigen::Matrix<double, 3, 6>;
 
 constexpr std::size_t kFewestForPose = 3;
 constexpr double kHuber = 4.0;           // standard deviations over three coordinates
@@ -26,26 +26,6 @@ constexpr double kFloor_m = 1e-6;
 constexpr double kStartSpread_m = 0.001;
 constexpr double kSettled_m = 1e-9;
 constexpr double kTinyShare = 1e-12;
-
-/// How a marker at `p_T` moves with turn and shift of T.
-Motion motionAt(const Vector3d& p_T) {
-  Motion motion;
-  motion << 0.0, p_T.z(), -p_T.y(), 1.0, 0.0, 0.0,  //
-      -p_T.z(), 0.0, p_T.x(), 0.0, 1.0, 0.0,        //
-      p_T.y(), -p_T.x(), 0.0, 0.0, 0.0, 1.0;
-  return motion;
-}
-
-/// The pose after a small motion, turn then shift, in T.
-RigidTransform moved(const RigidTransform& X_CT, const Vector6d& motion) {
-  const double angle = motion.head<3>().norm();
-  RigidTransform small = RigidTransform::Identity();
-  if (angle > 0.0) small.linear() = Eigen::AngleAxisd(angle, motion.head<3>() / angle).toRotationMatrix();
-  small.translation() = motion.tail<3>();
-  RigidTransform result = X_CT * small;
-  result.linear() = rotationOf(result).toRotationMatrix();
-  return result;
-}
 
 /// Orthonormal basis of the motions of all markers together: what no sighting can tell.
 MatrixXd freeMotions(std::span<const Vector3d> markers_T) {
@@ -95,7 +75,7 @@ void setTrust(std::span<NetworkTerm> terms, std::vector<double>& sigmas) {
 /// A frame's own equations for its pose.
 struct PoseEquations {
   Matrix6d normal = Matrix6d::Zero();
-  Vector6d gradient = Vector6d::Zero();
+  SmallMotion gradient = SmallMotion::Zero();
 
   explicit PoseEquations(std::span<const NetworkTerm> terms) {
     for (const auto& term : terms) {
@@ -173,7 +153,7 @@ void BundleAdjustment::linearise(const MarkerNetwork& network, std::size_t frame
 void BundleAdjustment::reduce(std::span<NetworkTerm> terms) {
   const PoseEquations pose(terms);
   const Matrix6d covariance = pose.covariance();
-  const Vector6d shift = covariance * pose.gradient;
+  const SmallMotion shift = covariance * pose.gradient;
   for (auto& a : terms) {
     a.lever = covariance * a.pull;
     if (a.trust <= 0.0) continue;
@@ -216,7 +196,7 @@ double BundleAdjustment::move(MarkerNetwork& network) {
 void BundleAdjustment::moveFrame(RigidTransform& X_CT, std::span<NetworkTerm> terms) const {
   PoseEquations pose(terms);
   for (const auto& term : terms) pose.gradient -= term.pull * step_.segment<3>(3 * term.marker);
-  const Vector6d motion = pose.normal.ldlt().solve(pose.gradient);
+  const SmallMotion motion = pose.normal.ldlt().solve(pose.gradient);
   X_CT = moved(X_CT, motion);
   // What spreads are judged by: residuals of the very weights that they led to.
   for (auto& term : terms) term.residual_T -= term.motion * motion + step_.segment<3>(3 * term.marker);

@@ -5,6 +5,8 @@
 
 #include <Eigen/LU>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
@@ -135,7 +137,7 @@ void DeviationFilter::placeHidden(std::span<SeenMarker> seen, std::span<const Ve
   constexpr double kLeast_m2 = 1e-12;
   DeviationFit::Prior prior{Matrix6::Zero(), modes_.variances()};
   for (std::size_t i = 0; i < next_.size(); ++i) {
-    const RigidRows rows = rigidRows(rest_T[i]);
+    const RigidRows rows = motionAt(rest_T[i]);
     prior.motion_information += rows.transpose() * rows / (own_square_[i].value() + kLeast_m2);
   }
   for (SeenMarker& marker : seen) {
@@ -157,7 +159,7 @@ void DeviationFilter::placeHidden(std::span<SeenMarker> seen, std::span<const Ve
   hidden_.assign(present.begin(), present.end());
   for (const SeenMarker& marker : seen) hidden_[marker.marker] = 0;
   for (std::size_t i = 0; i < next_.size(); ++i)
-    if (hidden_[i] != 0) next_[i] = modes_.of(i) * amplitudes + rigidRows(rest_T[i]) * motion + own_[i];
+    if (hidden_[i] != 0) next_[i] = modes_.of(i) * amplitudes + motionAt(rest_T[i]) * motion + own_[i];
 }
 
 /// How well amplitudes go on as they went, and how far they are off then.

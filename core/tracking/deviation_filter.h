@@ -52,7 +52,6 @@ class DeviationFilter {
   /// Mean square of what a marker has deviated along an axis so far [m^2].
   [[nodiscard]] double levelVariance(std::size_t marker) const { return gauge_.variance(marker); }
   [[nodiscard]] double pooledVariance() const { return steps_.pooled(); }
-  [[nodiscard]] Seconds usualStep() const { return Seconds(usual_step_.value()); }
   [[nodiscard]] TimePoint lastLearnt() const { return time_; }
 
  private:

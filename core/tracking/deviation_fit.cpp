@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
@@ -24,7 +26,7 @@ void DeviationFit::run(std::span<SeenMarker> seen, const DeviationModes& modes, 
   information_.clear();
   for (SeenMarker& marker : seen) {
     Rows rows;
-    rows << rigidRows(marker.place_T), modes.of(marker.marker);
+    rows << motionAt(marker.place_T), modes.of(marker.marker);
     rows_.push_back(rows);
     information_.push_back(marker.covariance_m2.inverse());
     marker.weight = marker.counts ? 1.0 : 0.0;

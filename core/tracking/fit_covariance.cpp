@@ -5,22 +5,14 @@
 
 #include <Eigen/LU>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using Jacobian = Eigen::Matrix<double, 3, 6>;
-
-/// How a marker at `p_T` moves with turn and shift of T.
-Jacobian motionAt(const Vector3d& p_T) {
-  Jacobian J;
-  J << 0.0, p_T.z(), -p_T.y(), 1.0, 0.0, 0.0,  //
-      -p_T.z(), 0.0, p_T.x(), 0.0, 1.0, 0.0,   //
-      p_T.y(), -p_T.x(), 0.0, 0.0, 0.0, 1.0;
-  return J;
-}
 
 /// Variance of one coordinate that the misfit shows beyond the sensors' own.
 double deformationVariance(const RigidTransform& X_CT, std::span<const Vector3d> markers_T,
@@ -44,7 +36,7 @@ Matrix6d fitCovariance(const RigidTransform& X_CT, std::span<const Vector3d> mar
   const Matrix3d R_CT = X_CT.linear();
   Matrix6d normal = Matrix6d::Zero(), spread = Matrix6d::Zero();
   for (std::size_t i = 0; i < markers_T.size(); ++i) {
-    const Jacobian J = motionAt(markers_T[i]);
+    const Eigen::Matrix<double, 3, 6> J = motionAt(markers_T[i]);
     const Matrix3d covariance_T =
         R_CT.transpose() * covariances_C_m2[i] * R_CT + deformation * Matrix3d::Identity();
     normal += J.transpose() * J;

@@ -5,37 +5,19 @@
 
 #include <Eigen/LU>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d crossMatrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
-
-/// Of a marker's place, in T, from the pose's own.
-Matrix3d covarianceAt(const Vector3d& p_T, const Eigen::Matrix<double, 6, 6>& pose) {
-  Eigen::Matrix<double, 3, 6> J;
-  J << -crossMatrix(p_T), Matrix3d::Identity();
-  return J * pose * J.transpose();
-}
-
 /// Of where a marker is expected, in T.
 Matrix3d covarianceOf(const Shape& shape, std::size_t marker, const UncertainPose& expected, double slack_m) {
-  return covarianceAt(shape.markers_T[marker], expected.covariance) + shape.covarianceOf(marker) +
+  const Eigen::Matrix<double, 3, 6> J = motionAt(shape.markers_T[marker]);
+  return J * expected.covariance * J.transpose() + shape.covarianceOf(marker) +
          slack_m * slack_m * Matrix3d::Identity();
-}
-
-/// One of a marker's point and disc is another's already.
-bool clashes(std::span<const CloudPoint> cloud, std::span<const int> point_of_marker, int point) {
-  const SeenDiscs& discs = cloud[static_cast<std::size_t>(point)].discs;
-  return std::any_of(point_of_marker.begin(), point_of_marker.end(), [&](int other) {
-    return other >= 0 && shareADisc(cloud[static_cast<std::size_t>(other)].discs, discs);
-  });
 }
 
 }  // namespace
@@ -52,12 +34,16 @@ void GatedPairs::find(const Shape& shape, std::span<const CloudPoint> cloud, con
                       double gate_sigmas, double slack_m) {
   pairs_.clear();
   markers_ = shape.size();
+  double widest_m2 = 0.0;
   const Matrix3d R_CT = expected.X_CT.linear();
   for (std::size_t j = 0; j < shape.size(); ++j) {
     if (!shape.counts(j)) continue;
-    const Matrix3d covariance_C = R_CT * covarianceOf(shape, j, expected, slack_m) * R_CT.transpose();
+    const Matrix3d covariance_T = covarianceOf(shape, j, expected, slack_m);
+    const Matrix3d covariance_C = R_CT * covariance_T * R_CT.transpose();
+    widest_m2 = std::max(widest_m2, covariance_T.trace());
     addPairsOf(static_cast<int>(j), expected.X_CT * shape.markers_T[j], covariance_C, cloud, gate_sigmas);
   }
+  radius_m_ = gate_sigmas * std::sqrt(widest_m2);
 }
 
 void GatedPairs::addPairsOf(int marker, const Vector3d& expected_C, const Matrix3d& covariance_C_m2,
@@ -84,17 +70,8 @@ bool GatedPairs::areUnique(std::span<const CloudPoint> cloud) const {
 }
 
 void GatedPairs::assign(std::span<const CloudPoint> cloud, std::vector<int>& point_of_marker) {
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](const GatedPair& a, const GatedPair& b) { return a.misfit < b.misfit; });
-  point_of_marker.assign(markers_, -1);
-  taken_.assign(cloud.size(), 0);
-  for (const GatedPair& pair : pairs_) {
-    int& point = point_of_marker[static_cast<std::size_t>(pair.marker)];
-    char& taken = taken_[static_cast<std::size_t>(pair.point)];
-    if (point >= 0 || taken != 0 || clashes(cloud, point_of_marker, pair.point)) continue;
-    point = pair.point;
-    taken = 1;
-  }
+  const auto discsOf = [cloud](int point) { return cloud[static_cast<std::size_t>(point)].discs; };
+  assignOneToOne(pairs_, discsOf, markers_, point_of_marker);
 }
 
 }  // namespace mirrorarm::tracking

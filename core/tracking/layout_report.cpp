@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/geometry/small_motion.h"
 #include "core/tracking/layout.h"
 #include "core/tracking/shared_shape.h"
 
@@ -55,8 +56,7 @@ double turnSigma(std::span<const Vector3d> points, const Spread& spread) {
   Matrix3d information = Matrix3d::Zero();
   for (const auto& point : points) {
     const Vector3d p = spread.axes.transpose() * (point - spread.centre);
-    Matrix3d lever;
-    lever << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
+    const Matrix3d lever = crossMatrix(p);
     information += lever.transpose() * weights.asDiagonal() * lever;
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(information, Eigen::EigenvaluesOnly);

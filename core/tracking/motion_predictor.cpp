@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
@@ -11,12 +13,6 @@ using Eigen::Vector3d;
 
 constexpr double kLongestStep_s = 0.5;
 constexpr double kLeastVariance = 1e-12;  // of a covariance that was not told
-
-Matrix3d turnBy(const Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0.0) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, rotation_vector / angle).toRotationMatrix();
-}
 
 Vector3d variances(const Matrix3d& covariance) { return covariance.diagonal().cwiseMax(kLeastVariance); }
 

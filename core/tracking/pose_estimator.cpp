@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/geometry/small_motion.h"
+
 namespace mirrorarm::tracking {
 namespace {
 
@@ -26,27 +28,11 @@ constexpr int kMaxExplanations = 5;
 constexpr double kAnyTurn_rad = 3.0;
 constexpr double kAnyShift_m = 10.0;
 
-Matrix3d cross(const Vector3d& v) {
-  Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
-
 Matrix6d anyPose() {
   Vector6d information;
   information << Vector3d::Constant(1.0 / (kAnyTurn_rad * kAnyTurn_rad)),
       Vector3d::Constant(1.0 / (kAnyShift_m * kAnyShift_m));
   return information.asDiagonal();
-}
-
-/// X * exp(d) to first order; the pose stays rigid.
-void move(RigidTransform& X_CT, const Vector6d& d) {
-  X_CT.translation() += X_CT.linear() * d.tail<3>();
-  const double angle = d.head<3>().norm();
-  if (angle > 0.0) {
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, d.head<3>() / angle));
-    X_CT.linear() = (Eigen::Quaterniond(X_CT.linear()) * turn).normalized().toRotationMatrix();
-  }
 }
 
 /// The chi-square that chance exceeds in one of a thousand cases. Source: Wilson and Hilferty, PNAS 17, 1931.
@@ -98,7 +84,7 @@ double PoseEstimator::step(std::span<const MarkerMatch> matches) {
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (weights_[i] == 0.0) continue;
     const Matrix3d W = weights_[i] * residuals_[i].information;
-    const Matrix3d x = cross(matches[i].marker_T);  // the marker moves by -x * turn + shift
+    const Matrix3d x = crossMatrix(matches[i].marker_T);  // the marker moves by -x * turn + shift
     const Matrix3d xW = x * W;
     const Vector3d Wr = W * residuals_[i].r_T;
     normal.topLeftCorner<3, 3>().noalias() -= xW * x;
@@ -111,7 +97,7 @@ double PoseEstimator::step(std::span<const MarkerMatch> matches) {
   const Eigen::LLT<Matrix6d> factor(normal);
   estimate_.covariance = factor.solve(Matrix6d::Identity());
   const Vector6d d = estimate_.covariance * pull;
-  move(estimate_.X_CT, d);
+  estimate_.X_CT = moved(estimate_.X_CT, d);
   return pull.dot(d);
 }
 

@@ -4,15 +4,9 @@
 
 #include <Eigen/LU>
 
-namespace mirrorarm::tracking {
+#include "core/geometry/small_motion.h"
 
-RigidRows rigidRows(const Eigen::Vector3d& p_T) {
-  RigidRows rows;
-  rows << 0.0, p_T.z(), -p_T.y(), 1.0, 0.0, 0.0,  //
-      -p_T.z(), 0.0, p_T.x(), 0.0, 1.0, 0.0,      //
-      p_T.y(), -p_T.x(), 0.0, 0.0, 0.0, 1.0;
-  return rows;
-}
+namespace mirrorarm::tracking {
 
 void ShapeGauge::resize(std::size_t markers) {
   squares_.resize(markers);
@@ -30,7 +24,7 @@ void ShapeGauge::prepare(std::span<const Eigen::Vector3d> shape_T, std::span<con
   Matrix6 normal = Matrix6::Zero();
   for (std::size_t i = 0; i < squares_.size(); ++i) {
     weights_[i] = present[i] != 0 ? 1.0 : 0.0;
-    rows_[i] = rigidRows(shape_T[i]);
+    rows_[i] = motionAt(shape_T[i]);
     normal += weights_[i] * rows_[i].transpose() * rows_[i];
   }
   inverse_ = normal.inverse();

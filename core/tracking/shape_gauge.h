@@ -13,9 +13,6 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using RigidRows = Eigen::Matrix<double, 3, 6>;
 
-/// What a small motion d (turn [rad] then shift [m], X_CT * exp(d)) does to a point of T.
-[[nodiscard]] RigidRows rigidRows(const Eigen::Vector3d& p_T);
-
 /// Tells what part of a field of displacements, one a marker, is a motion of the whole body: the rigid motion
 /// nearest to it, markers weighted by their stiffness, 1 / (variance of what they have deviated). Weights
 /// follow the deviations, and deviations are without a rigid part under the weights: so the part of the skin

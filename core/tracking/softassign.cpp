@@ -17,12 +17,6 @@ constexpr double kDecided = 1e-6;       // entries this near to 0 and 1 are deci
 constexpr double kPoseAtRest_m = 1e-5;  // an update that moves the model less than this has converged
 constexpr double kNoWeight = 1e-12;
 
-Vector3d centroid(Points points) {
-  Vector3d sum = Vector3d::Zero();
-  for (const auto& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 double largestShift(Points points, const RigidTransform& from, const RigidTransform& to) {
   double largest = 0.0;
   for (const auto& p : points) largest = std::max(largest, (to * p - from * p).squaredNorm());

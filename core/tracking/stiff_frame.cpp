@@ -1,7 +1,8 @@
 #include "core/tracking/stiff_frame.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include "core/geometry/small_motion.h"
 
 namespace mirrorarm::tracking {
 namespace {
@@ -12,18 +13,11 @@ constexpr double kFloor = 0.05;          // of a mode's mean square
 
 }  // namespace
 
-RigidTransform smallMotion(const Vector6& motion) {
-  const Eigen::Vector3d turn = motion.head<3>();
-  const double angle = turn.norm();
-  const Eigen::Vector3d axis = angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d::UnitX();
-  return makeTransform(Eigen::AngleAxisd(angle, axis).toRotationMatrix(), motion.tail<3>());
-}
-
 void StiffFrame::learn(const DeviationModes& modes, std::span<const Eigen::Vector3d> rest_T,
                        std::span<const char> present) {
   motions_ = (motions_ * modes.lastTurn()).eval();
   rows_.resize(rest_T.size());
-  for (std::size_t i = 0; i < rest_T.size(); ++i) rows_[i] = rigidRows(rest_T[i]);
+  for (std::size_t i = 0; i < rest_T.size(); ++i) rows_[i] = motionAt(rest_T[i]);
   for (int mode = 0; mode < kModes; ++mode) {
     if (modes.variances()[mode] <= kLeastVariance * modes.variances()[0]) {
       motions_.col(mode).setZero();

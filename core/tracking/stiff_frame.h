@@ -11,9 +11,6 @@
 
 namespace mirrorarm::tracking {
 
-/// A small motion d, turn [rad] then shift [m], as a transform: exp(d) to second order of the turn.
-[[nodiscard]] RigidTransform smallMotion(const Vector6& motion);
-
 /// The frame that the stiffest part of the skin carries. Deviations are told from the mean frame of all
 /// markers, in which a twist of one end turns the other end back. To each mode belongs a rigid motion that,
 /// put upon it, leaves as many markers still as can be: least sum of log(square + floor), by reweighted least

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/rigid_fit.h"
 #include "core/tracking/keyframes.h"
 #include "core/tracking/layout.h"
 #include "core/tracking/lesson_network.h"
@@ -22,12 +23,6 @@ constexpr int kFirstLook = 10;     // frames before the precision is looked at
 constexpr double kNextLook = 1.2;  // times the frames of the last look
 constexpr int kFramesBetweenLooks = 5;
 constexpr int kStepsOfALook = 1;
-
-Vector3d centroid(std::span<const Vector3d> points) {
-  Vector3d sum = Vector3d::Zero();
-  for (const auto& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
 
 }  // namespace
 

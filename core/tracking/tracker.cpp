@@ -88,6 +88,7 @@ struct Tracker::Body {
   void accept(std::size_t i, const ShapeFit& fit, TimePoint exposed_at);
   void reteachByPaper(std::size_t i, TimePoint exposed_at);
   void carryOn(std::size_t i, TimePoint exposed_at);
+  void predict(const FollowedTarget& target, TimePoint time, TrackedTarget& answer) const;
   [[nodiscard]] bool isTracked(std::size_t i) const { return answers[i].status == TrackStatus::kTracked; }
 };
 
@@ -210,11 +211,16 @@ void Tracker::Body::reteachByPaper(std::size_t i, TimePoint exposed_at) {
 /// No fit in this frame: for a short while the motion goes on, with growing doubt.
 void Tracker::Body::carryOn(std::size_t i, TimePoint exposed_at) {
   if (rig && followed[i].isOutOfView(exposed_at, *rig)) answers[i].reason = LostReason::kOutOfVolume;
-  if (!followed[i].isFresh(exposed_at, settings.predict_for)) return;
-  const UncertainPose expected = followed[i].motion().at(exposed_at);
-  answers[i].status = TrackStatus::kPredicted;
-  answers[i].X_CT = expected.X_CT;
-  answers[i].covariance = expected.covariance;
+  predict(followed[i], exposed_at, answers[i]);
+}
+
+/// Nothing when the last measured pose is too old.
+void Tracker::Body::predict(const FollowedTarget& target, TimePoint time, TrackedTarget& answer) const {
+  if (!target.isFresh(time, settings.predict_for)) return;
+  const UncertainPose expected = target.motion().at(time);
+  answer.status = TrackStatus::kPredicted;
+  answer.X_CT = expected.X_CT;
+  answer.covariance = expected.covariance;
 }
 
 Tracker::Tracker(const TrackerSettings& settings) : body_(std::make_unique<Body>(settings)) {}
@@ -285,11 +291,7 @@ TrackedTarget Tracker::at(std::size_t index, TimePoint time) const {
   answer.status = TrackStatus::kLost;
   if (!target.motion().isKnown()) return answer;
   answer.reason = LostReason::kStale;
-  if (!target.isFresh(time, body_->settings.predict_for)) return answer;
-  const UncertainPose expected = target.motion().at(time);
-  answer.status = TrackStatus::kPredicted;
-  answer.X_CT = expected.X_CT;
-  answer.covariance = expected.covariance;
+  body_->predict(target, time, answer);
   return answer;
 }
 

@@ -51,7 +51,7 @@ void WarmRegistration::pair(const Shape& shape, std::span<const CloudPoint> clou
                             const UncertainPose& expected, bool first) {
   pairs_.find(shape, cloud, expected, settings_.gate_sigmas, slack_m());
   if (first) {
-    gate_m_ = gateRadius(shape, expected, settings_.gate_sigmas, slack_m());
+    gate_m_ = pairs_.radius_m();
     candidates_ = static_cast<int>(pairs_.all().size());
   }
   if (first && !pairs_.areUnique(cloud)) {
@@ -90,7 +90,7 @@ void WarmRegistration::collectCandidates(const Shape& shape, std::span<const Clo
     x_.push_back(shape.markers_T[j]);
     marker_of_x_.push_back(j);
   }
-  for (const GatedPair& each : pairs_.all()) {
+  for (const CandidatePair& each : pairs_.all()) {
     if (std::find(point_of_y_.begin(), point_of_y_.end(), each.point) != point_of_y_.end()) continue;
     y_.push_back(cloud[static_cast<std::size_t>(each.point)].p_C);
     point_of_y_.push_back(each.point);

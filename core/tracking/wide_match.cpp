@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tracking/stiff_frame.h"
+#include "core/geometry/small_motion.h"
 #include "core/tracking/tracked_target.h"
 
 namespace mirrorarm::tracking {
