@@ -12,7 +12,7 @@ set(allowed_control "common|geometry|camera|vision|tracking|robot|therapy")
 set(allowed_simulation "common|geometry|camera|robot")
 set(allowed_devices "common|geometry|camera|robot")
 set(allowed_records "common|geometry|camera|vision|tracking|robot|therapy")
-set(allowed_experiments "common|geometry|camera|vision|tracking|robot|simulation")
+set(allowed_experiments "common|geometry|camera|vision|tracking|robot|calibration|simulation")
 set(allowed_station
     "common|geometry|camera|vision|tracking|robot|calibration|therapy|control|simulation|devices|records")
 
@@ -42,7 +42,7 @@ endforeach()
 # Heavy headers stay in .cpp files.
 file(GLOB_RECURSE headers ${ROOT}/core/*.h ${ROOT}/benchmarks/*.h)
 foreach(file ${headers})
-  file(STRINGS ${file} bad REGEX "^#include <(opencv2|visp3|ompl|fcl|kdl|soci|spdlog|yaml-cpp)")
+  file(STRINGS ${file} bad REGEX "^#include <(ceres|opencv2|visp3|ompl|fcl|kdl|soci|spdlog|yaml-cpp)")
   foreach(line ${bad})
     message(SEND_ERROR "${file}: ${line}")
   endforeach()

@@ -18,6 +18,7 @@ constexpr int kLargestHalfWindow_px = 11;
 constexpr double kHalfWindowShare = 0.3;
 
 using CvPoints = std::vector<cv::Point2f>;
+using BoardPixels = std::vector<Eigen::Vector2d>;
 
 std::size_t at(const Board& board, int column, int row) {
   return static_cast<std::size_t>(row * board.columns + column);
@@ -136,28 +137,42 @@ double disagreement(const BoardPixels& a, const BoardPixels& b) {
   return sum;
 }
 
+BoardPixels pixelsOf(const Sighting& whole) {
+  BoardPixels pixels;
+  for (const auto& seen : whole) pixels.push_back(seen.pixel);
+  return pixels;
+}
+
 }  // namespace
 
-std::optional<BoardPixels> findBoard(const camera::ImageView& image, const Board& board) {
+std::string_view reason(BoardMiss miss) {
+  return miss == BoardMiss::kNotFound
+             ? "the board is not found: check its kind and size, the light, and that nothing covers it"
+             : "the pattern goes on beyond the size asked for: give the size of the whole board";
+}
+
+Expected<Sighting, BoardMiss> findBoard(const camera::ImageView& image, const Board& board) {
   const cv::Mat grey(image.height_px, image.width_px, CV_8UC1, const_cast<std::uint8_t*>(image.data),
                      static_cast<std::size_t>(image.stride));
   const auto points = findPoints(grey, board);
-  if (points.empty()) return std::nullopt;
+  if (points.empty()) return unexpected(BoardMiss::kNotFound);
   BoardPixels pixels;
   for (const auto& point : points) pixels.emplace_back(point.x, point.y);
   if (board.kind != BoardKind::kAsymmetricCircles && isMirrored(pixels, board)) reverseRows(pixels, board);
   if (board.kind == BoardKind::kChessboard && hasOneOrder(board) && !startsDark(image, pixels, board))
     std::reverse(pixels.begin(), pixels.end());
-  return pixels;
+  return sightingOf(pixels);
 }
 
-BoardPixels orderedLike(const BoardPixels& reference, const BoardPixels& pixels, const Board& board) {
-  assert(reference.size() == pixels.size());
-  if (hasOneOrder(board)) return pixels;
-  const auto orders = alikeOrders(pixels, board);
-  return *std::min_element(orders.begin(), orders.end(), [&](const BoardPixels& a, const BoardPixels& b) {
-    return disagreement(reference, a) < disagreement(reference, b);
-  });
+Sighting orderedLike(const Sighting& reference, const Sighting& sighting, const Board& board) {
+  assert(reference.size() == sighting.size());
+  if (hasOneOrder(board)) return sighting;
+  const auto wanted = pixelsOf(reference);
+  const auto orders = alikeOrders(pixelsOf(sighting), board);
+  return sightingOf(
+      *std::min_element(orders.begin(), orders.end(), [&](const BoardPixels& a, const BoardPixels& b) {
+        return disagreement(wanted, a) < disagreement(wanted, b);
+      }));
 }
 
 }  // namespace mirrorarm::calibration

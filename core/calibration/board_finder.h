@@ -1,27 +1,33 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
-#include <Eigen/Core>
+#include <string_view>
 
 #include "core/calibration/board.h"
+#include "core/calibration/sighting.h"
 #include "core/camera/image.h"
+#include "core/common/expected.h"
 
 namespace mirrorarm::calibration {
 
-/// Pixels of a board's points, in the order of boardPoints().
-using BoardPixels = std::vector<Eigen::Vector2d>;
+/// Why an image gave no sighting.
+enum class BoardMiss {
+  kNotFound,     ///< no such board, or too little of it
+  kLargerBoard,  ///< the pattern goes on beyond the wished size: another board
+};
+/// One line for an engineer: what is wrong and the remedy.
+[[nodiscard]] std::string_view reason(BoardMiss miss);
 
-/// Finds the whole board, corners to sub-pixels; dark or bright circles. Nothing when a point is missing.
+/// Finds the board, its points to sub-pixels; circles may be dark or bright. Chessboards and circle grids
+/// must be seen whole; of a dot plate some dots may be hidden as long as its marks tell which are which.
 ///
-/// The order is never mirrored. A chessboard of an odd and an even side has one order, by the colour of its
-/// squares; other boards look alike after half a turn (squares after a quarter), see `orderedLike`.
-[[nodiscard]] std::optional<BoardPixels> findBoard(const camera::ImageView& image, const Board& board);
+/// The order is never mirrored. A dot plate and a chessboard of an odd and an even side have one order, by
+/// their marks and the colour of the squares; other boards look alike after half a turn (squares after a
+/// quarter), see `orderedLike`.
+[[nodiscard]] Expected<Sighting, BoardMiss> findBoard(const camera::ImageView& image, const Board& board);
 
-/// `pixels` reordered by whole turns of the board under which it looks alike, so that the points lie about
-/// their middle as those of `reference` do: for two cameras on one bar, which stand upright alike.
-[[nodiscard]] BoardPixels orderedLike(const BoardPixels& reference, const BoardPixels& pixels,
-                                      const Board& board);
+/// `sighting` renumbered by whole turns of the board under which it looks alike, so that the points lie about
+/// their middle as those of `reference` do: for two cameras on one bar, which stand upright alike, and for a
+/// board followed from image to image.
+[[nodiscard]] Sighting orderedLike(const Sighting& reference, const Sighting& sighting, const Board& board);
 
 }  // namespace mirrorarm::calibration

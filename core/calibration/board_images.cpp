@@ -1,5 +1,8 @@
 #include "core/calibration/board_images.h"
 
+#include <optional>
+
+#include "core/calibration/board_finder.h"
 #include "core/calibration/image_list.h"
 #include "core/camera/image_file.h"
 
@@ -11,7 +14,7 @@ class Reader {
  public:
   explicit Reader(const Board& board) : board_(board) {}
 
-  [[nodiscard]] FromFile<std::optional<BoardPixels>> find(const std::filesystem::path& file) {
+  [[nodiscard]] FromFile<std::optional<Sighting>> find(const std::filesystem::path& file) {
     const auto image = camera::readImage(file);
     if (!image) return unexpected(image.error());
     const ImageSize size{image->width(), image->height()};
@@ -22,7 +25,8 @@ class Reader {
     if (!(size == size_))
       return unexpected(
           FileError{file, 0, "is " + text(size) + " where " + first_.string() + " is " + text(size_)});
-    return findBoard(image->view(), board_);
+    const auto sighting = findBoard(image->view(), board_);
+    return sighting ? std::optional(*sighting) : std::nullopt;
   }
 
   [[nodiscard]] ImageSize size() const { return size_; }
@@ -42,13 +46,13 @@ FromFile<void> addView(Reader& reader, const std::vector<std::filesystem::path>&
   BoardView view{files.front().filename().string(), {}};
   bool is_whole = true;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    const auto pixels = reader.find(files[k]);
-    if (!pixels) return unexpected(pixels.error());
-    if (!*pixels) {
+    const auto sighting = reader.find(files[k]);
+    if (!sighting) return unexpected(sighting.error());
+    if (!*sighting) {
       images.not_found.push_back(files[k].filename().string());
       is_whole = false;
     } else if (is_whole) {
-      view.pixels[k] = k == 0 ? **pixels : orderedLike(view.pixels[0], **pixels, board);
+      view.seen[k] = k == 0 ? **sighting : orderedLike(view.seen[0], **sighting, board);
     }
   }
   if (is_whole) images.views.push_back(std::move(view));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/calibration/board.h"
-#include "core/calibration/bundle_start.h"
+#include "core/calibration/sighting.h"
 #include "core/common/file_error.h"
 
 namespace mirrorarm::calibration {

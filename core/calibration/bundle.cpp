@@ -18,7 +18,7 @@ constexpr double kLargestDamping = 1e8;
 
 double pointsSeen(std::span<const BoardView> views) {
   double points = 0.0;
-  for (const auto& view : views) points += static_cast<double>(view.pixels[0].size() + view.pixels[1].size());
+  for (const auto& view : views) points += static_cast<double>(view.seen[0].size() + view.seen[1].size());
   return points;
 }
 

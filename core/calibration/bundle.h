@@ -1,22 +1,15 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/calibration/board_finder.h"
+#include "core/calibration/sighting.h"
 #include "core/camera/camera_model.h"
 #include "core/geometry/rigid_transform.h"
 
 namespace mirrorarm::calibration {
-
-/// One standstill of the board, seen by the first camera and, in a rig, by the second at the same moment.
-struct BoardView {
-  std::string name;                   ///< of the first camera's image
-  std::array<BoardPixels, 2> pixels;  ///< a camera each; the second is empty for a single camera
-};
 
 /// Everything that a calibration solves for at once: one camera, or two on a bar.
 struct Bundle {

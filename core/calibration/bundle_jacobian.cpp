@@ -150,8 +150,9 @@ std::optional<Linearised> linearise(const Bundle& bundle, std::span<const Eigen:
   for (std::size_t k = 0; k < bundle.cameras.size(); ++k) {
     Accumulator equations(bundle, k, problem);
     for (std::size_t v = 0; v < views.size(); ++v)
-      for (std::size_t i = 0; i < views[v].pixels[k].size(); ++i)
-        if (!equations.add(bundle.X_CM[v], board[i], views[v].pixels[k][i], problem.views[v]))
+      for (const auto& seen : views[v].seen[k])
+        if (!equations.add(bundle.X_CM[v], board[static_cast<std::size_t>(seen.point)], seen.pixel,
+                           problem.views[v]))
           return std::nullopt;
   }
   return problem;
@@ -164,10 +165,10 @@ std::optional<double> sumOfSquares(const Bundle& bundle, std::span<const Eigen::
     const CameraModel camera(bundle.cameras[k]);
     for (std::size_t v = 0; v < views.size(); ++v) {
       const RigidTransform X_KM = k == 0 ? bundle.X_CM[v] : bundle.X_RC * bundle.X_CM[v];
-      for (std::size_t i = 0; i < views[v].pixels[k].size(); ++i) {
-        const auto pixel = camera.project(X_KM * board[i]);
+      for (const auto& seen : views[v].seen[k]) {
+        const auto pixel = camera.project(X_KM * board[static_cast<std::size_t>(seen.point)]);
         if (!pixel) return std::nullopt;
-        sum += (*pixel - views[v].pixels[k][i]).squaredNorm();
+        sum += (*pixel - seen.pixel).squaredNorm();
       }
     }
   }

@@ -34,13 +34,14 @@ RigidTransform fromRodrigues(const cv::Vec3d& turn, const cv::Vec3d& shift) {
 }
 
 std::optional<RigidTransform> poseBoard(const camera::CameraModel& camera,
-                                        std::span<const Eigen::Vector3d> board, const BoardPixels& pixels) {
+                                        std::span<const Eigen::Vector3d> board, const Sighting& sighting) {
   std::vector<cv::Point3d> points;
   std::vector<cv::Point2d> straight;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto direction = camera.unproject(pixels[i]);
+  for (const auto& seen : sighting) {
+    const auto direction = camera.unproject(seen.pixel);
     if (!direction) return std::nullopt;
-    points.emplace_back(board[i].x(), board[i].y(), board[i].z());
+    const Eigen::Vector3d& p_M = board[static_cast<std::size_t>(seen.point)];
+    points.emplace_back(p_M.x(), p_M.y(), p_M.z());
     straight.emplace_back(direction->x(), direction->y());
   }
   cv::Vec3d turn, shift;
@@ -60,7 +61,7 @@ std::optional<Bundle> startFrom(const camera::Intrinsics& lens, std::span<const 
   Bundle start;
   start.cameras = {lens};
   for (const auto& view : views) {
-    const auto X_CM = poseBoard(camera::CameraModel(lens), board, view.pixels[0]);
+    const auto X_CM = poseBoard(camera::CameraModel(lens), board, view.seen[0]);
     if (!X_CM) return std::nullopt;
     start.X_CM.push_back(*X_CM);
   }
@@ -69,7 +70,7 @@ std::optional<Bundle> startFrom(const camera::Intrinsics& lens, std::span<const 
 
 std::vector<BoardView> ofSecondCamera(std::span<const BoardView> views) {
   std::vector<BoardView> second;
-  for (const auto& view : views) second.push_back({view.name, {view.pixels[1], {}}});
+  for (const auto& view : views) second.push_back({view.name, {view.seen[1], {}}});
   return second;
 }
 

@@ -7,12 +7,6 @@
 
 namespace mirrorarm::calibration {
 
-struct ImageSize {
-  int width_px = 0;
-  int height_px = 0;
-  bool operator==(const ImageSize&) const = default;
-};
-
 /// A single camera from its views alone (first pixels of each), from nothing: lenses of several angles of
 /// view without distortion are tried, the board posed under each (solvePnP, IPPE) and all refined; the best
 /// fit is taken. Nothing when no lens fits. At least one view.

@@ -61,7 +61,7 @@ Expected<SolvedViews, CalibrationError> solveViews(const Board& board, std::span
                                                    ImageSize size, camera::LensModel model) {
   if (views.size() < kFewestViews) return unexpected(CalibrationError::kTooFewViews);
   const auto points = boardPoints(board);
-  const bool is_rig = !views.front().pixels[1].empty();
+  const bool is_rig = !views.front().seen[1].empty();
   auto fit = is_rig ? fitRig(points, views, size, model) : fitCamera(points, views, size, model);
   if (!fit) return unexpected(CalibrationError::kNotSolved);
   SolvedViews solved{std::move(*fit), {}, {}};

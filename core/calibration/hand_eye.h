@@ -28,6 +28,13 @@ enum class HandEyeMethod {
 };
 [[nodiscard]] std::string_view name(HandEyeMethod method);
 
+/// How one station agrees with the solution.
+struct StationResidual {
+  double position_m = 0.0;  ///< of the object from X_QM
+  double rotation_rad = 0.0;
+  bool is_outlier = false;  ///< left out of the solution
+};
+
 struct HandEyeSolution {
   RigidTransform X_PC = RigidTransform::Identity();  ///< camera on what carries it
   RigidTransform X_QM = RigidTransform::Identity();  ///< object on what carries it: Q is the other of B and F
@@ -38,6 +45,9 @@ struct HandEyeSolution {
   std::optional<double> sigma_m;
   std::vector<std::size_t> outliers;  ///< stations left out, counted from 0
   HandEyeMethod method = HandEyeMethod::kTsaiLenzVisp;
+  std::vector<StationResidual> stations;  ///< of all stations given, in their order
+  /// Of a small motion of C (turn [rad], then shift [m]); absent where nothing was refined.
+  std::optional<Eigen::Matrix<double, 6, 6>> covariance;
 };
 
 /// What the operator can mend.

@@ -55,24 +55,24 @@ struct Sums {
 
 using Points = std::vector<std::optional<Eigen::Vector3d>>;
 
-Points measurePoints(const camera::StereoRig& rig, const BoardView& view, Sums& sums) {
+Points measurePoints(const camera::StereoRig& rig, const BoardView& view, std::size_t count, Sums& sums) {
   const Eigen::Matrix3d E = essential(rig.X_RC);
-  Points points(view.pixels[0].size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto left = straight(rig.left, view.pixels[0][i]);
-    const auto right = straight(rig.right, view.pixels[1][i]);
+  Points points(count);
+  for (const auto& [seen_left, seen_right] : seenByBoth(view)) {
+    const auto left = straight(rig.left, seen_left.pixel);
+    const auto right = straight(rig.right, seen_right.pixel);
     if (!left || !right) continue;
     const double value = right->ray.dot(E * left->ray);
     sums.epipolar_squares += std::pow(distance_px(value, E * left->ray, right->by_pixel), 2) +
                              std::pow(distance_px(value, E.transpose() * right->ray, left->by_pixel), 2);
     sums.distances += 2;
-    points[i] = triangulate(rig.X_RC, left->ray, right->ray);
+    points[static_cast<std::size_t>(seen_left.point)] = triangulate(rig.X_RC, left->ray, right->ray);
   }
   return points;
 }
 
-void measureLengths(const Points& points, const Board& board, Sums& sums) {
-  const auto truth = boardPoints(board);
+void measureLengths(const Points& points, const Board& board, std::span<const Eigen::Vector3d> truth,
+                    Sums& sums) {
   for (const auto& [i, j] : boardNeighbours(board))
     if (points[i] && points[j])
       sums.lengths.push_back((*points[i] - *points[j]).norm() / (truth[i] - truth[j]).norm() - 1.0);
@@ -82,7 +82,9 @@ void measureLengths(const Points& points, const Board& board, Sums& sums) {
 
 HoldOut measureHoldOut(const camera::StereoRig& rig, const Board& board, std::span<const BoardView> views) {
   Sums sums;
-  for (const auto& view : views) measureLengths(measurePoints(rig, view, sums), board, sums);
+  const auto truth = boardPoints(board);
+  for (const auto& view : views)
+    measureLengths(measurePoints(rig, view, truth.size(), sums), board, truth, sums);
   HoldOut result;
   result.views = views.size();
   if (sums.distances == 0) return result;

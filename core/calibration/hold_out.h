@@ -15,6 +15,9 @@ struct HoldOut {
   /// Triangulated length between neighbouring board points against the true one, over all of them [%].
   double square_mean_percent = 0.0;
   double square_std_percent = 0.0;
+  /// Root mean square distance, along the line of sight, of a triangulated point from the board that fits all
+  /// points of its view best [m].
+  double depth_rms_m = 0.0;
   std::size_t views = 0;
 };
 

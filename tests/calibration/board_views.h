@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "core/calibration/board.h"
 #include "core/calibration/bundle.h"
 #include "core/camera/stereo_rig.h"
 
@@ -59,12 +60,15 @@ struct ViewMaker {
                   tilt * middle);
   }
 
-  bool see(const camera::CameraModel& camera, const RigidTransform& X_KM, BoardPixels& pixels) {
+  bool see(const camera::CameraModel& camera, const RigidTransform& X_KM, Sighting& sighting) {
     std::normal_distribution<double> noise(0.0, 1.0);
     for (const auto& p_M : boardPoints(board)) {
       const auto pixel = camera.project(X_KM * p_M);
       if (!pixel || !camera.sees(*pixel, 2.0)) return false;
-      pixels.emplace_back(pixel->x() + noise_px * noise(random), pixel->y() + noise_px * noise(random));
+      SeenPoint seen;
+      seen.point = static_cast<int>(sighting.size());
+      seen.pixel = *pixel + noise_px * Eigen::Vector2d(noise(random), noise(random));
+      sighting.push_back(seen);
     }
     return true;
   }
@@ -74,7 +78,7 @@ struct ViewMaker {
     while (made.size() < count) {
       const RigidTransform X_CM = boardPose();
       BoardView view{"view" + std::to_string(made.size()), {}};
-      if (see(rig.left, X_CM, view.pixels[0]) && see(rig.right, rig.X_RC * X_CM, view.pixels[1]))
+      if (see(rig.left, X_CM, view.seen[0]) && see(rig.right, rig.X_RC * X_CM, view.seen[1]))
         made.push_back(std::move(view));
     }
     return made;

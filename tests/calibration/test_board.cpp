@@ -89,11 +89,11 @@ Eigen::Matrix2d turned(double angle_rad, double step_px) {
   return step_px * Eigen::Rotation2Dd(angle_rad).toRotationMatrix();
 }
 
-double worstError_px(const Drawing& drawing, const BoardPixels& found) {
+double worstError_px(const Drawing& drawing, const Sighting& found) {
   double worst = 0.0;
   const auto points = boardPoints(drawing.board);
   for (std::size_t i = 0; i < points.size(); ++i)
-    worst = std::max(worst, (found[i] - drawing.pixelOf(points[i])).norm());
+    worst = std::max(worst, (found[i].pixel - drawing.pixelOf(points[i])).norm());
   return worst;
 }
 
@@ -115,18 +115,20 @@ TEST(BoardFinder, DarkAndBrightCircles) {
       ASSERT_TRUE(found) << text << bright;
       const auto ordered = orderedLike(*found, *found, drawing.board);
       EXPECT_EQ(ordered, *found);
-      BoardPixels truth;
+      std::vector<Eigen::Vector2d> truth;
       for (const auto& p_M : boardPoints(drawing.board)) truth.push_back(drawing.pixelOf(p_M));
-      EXPECT_LT(worstError_px(drawing, orderedLike(truth, *found, drawing.board)), 0.2) << text << bright;
+      EXPECT_LT(worstError_px(drawing, orderedLike(sightingOf(truth), *found, drawing.board)), 0.2)
+          << text << bright;
     }
 }
 
 TEST(BoardFinder, OrdersAlikeBoardsAsTheReference) {
   const auto board = *boardOf("circles:4x4:0.03");
-  BoardPixels upright, quarter(16);
+  std::vector<Eigen::Vector2d> upright, quarter(16);
   for (const auto& p_M : boardPoints(board)) upright.push_back(1000.0 * p_M.head<2>());
   for (std::size_t i = 0; i < 16; ++i) quarter[4 * (i % 4) + 3 - i / 4] = upright[i];
-  EXPECT_EQ(orderedLike(upright, quarter, board), upright);
+  const auto wanted = sightingOf(upright);
+  EXPECT_EQ(orderedLike(wanted, sightingOf(quarter), board), wanted);
 }
 
 TEST(BoardFinder, NothingWhereThereIsNone) {

@@ -17,8 +17,8 @@ class LensCalibration : public testing::TestWithParam<LensModel> {
   BoardView flatView() {
     BoardView view{"flat", {}};
     const auto X_CM = makeTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-0.08, -0.06, 0.5));
-    EXPECT_TRUE(maker_.see(maker_.rig.left, X_CM, view.pixels[0]));
-    EXPECT_TRUE(maker_.see(maker_.rig.right, maker_.rig.X_RC * X_CM, view.pixels[1]));
+    EXPECT_TRUE(maker_.see(maker_.rig.left, X_CM, view.seen[0]));
+    EXPECT_TRUE(maker_.see(maker_.rig.right, maker_.rig.X_RC * X_CM, view.seen[1]));
     return view;
   }
   void SetUp() override {
@@ -75,7 +75,7 @@ TEST_P(LensCalibration, TheMisfitIsTheNoiseAndTheBarComesOut) {
 TEST_P(LensCalibration, OneCameraAlone) {
   maker_.noise_px = kNoise_px;
   auto views = maker_.views(15);
-  for (auto& view : views) view.pixels[1].clear();
+  for (auto& view : views) view.seen[1].clear();
   const auto found = calibrateCamera(maker_.board, views, kSize, GetParam());
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->rms_px, kNoise_px * std::sqrt(2.0), 0.1 * kNoise_px);
@@ -85,7 +85,7 @@ TEST_P(LensCalibration, OneCameraAlone) {
 TEST_P(LensCalibration, AViewThatMovedBetweenTheCamerasIsNamed) {
   maker_.noise_px = kNoise_px;
   auto views = maker_.views(15);
-  for (auto& pixel : views[4].pixels[1]) pixel += Eigen::Vector2d(0.0, 4.0);
+  for (auto& seen : views[4].seen[1]) seen.pixel += Eigen::Vector2d(0.0, 4.0);
   const auto found = calibrateStereo(maker_.board, views, kSize, GetParam());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->outliers, std::vector<std::string>{"view4"});
