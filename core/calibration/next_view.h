@@ -5,8 +5,6 @@
 #include <span>
 
 #include "core/calibration/board.h"
-#include "core/calibration/pose_pairs.h"
-#include "core/calibration/sighting.h"
 #include "core/camera/stereo_rig.h"
 
 namespace mirrorarm::calibration {
@@ -23,18 +21,20 @@ struct ViewWish {
 /// the hand.
 using Reachable = std::function<bool(const RigidTransform& X_CM)>;
 
-/// The view that tells most about both lenses and the bar between them, given those so far: of tilts to 45
-/// degrees, distances and places in both images where both cameras see most of the board, and which are
-/// `reachable`, the one of largest gain (D-optimal design). `rig` may be rough: as it is known so far.
-/// Nothing when none is reachable.
+/// The view that tells most about both lenses and the bar between them, given the poses of the board so far:
+/// of views tilted up to 40 degrees, at 0.28 to 0.6 m and all over the images, in which both cameras see most
+/// of the board and which are `reachable`, the one of largest gain (D-optimal design). `reachable` is asked
+/// from the best downwards, so that it may be slow. `rig` may be rough: as it is known so far. The same
+/// question gets the same answer. Nothing when none is reachable.
+/// Source: Atkinson, Donev, Tobias, Optimum Experimental Designs, with SAS, 2007, chapter 10.
 [[nodiscard]] std::optional<ViewWish> nextStereoView(const camera::StereoRig& rig, const Board& board,
                                                      std::span<const RigidTransform> X_CM_taken,
                                                      const Reachable& reachable);
 
-/// The same for the camera on the flange: what counts is how the turns of the flange fix X_FC.
+/// The same for the camera on the flange, with a board that stands still: what counts is how the turns
+/// between the stations fix X_FC.
 [[nodiscard]] std::optional<ViewWish> nextHandEyeView(const camera::StereoRig& rig, const Board& board,
-                                                      const RigidTransform& X_FC,
-                                                      std::span<const PosePair> taken,
+                                                      std::span<const RigidTransform> X_CM_taken,
                                                       const Reachable& reachable);
 
 }  // namespace mirrorarm::calibration
