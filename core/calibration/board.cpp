@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "core/calibration/dot_pattern.h"
 #include "core/common/csv.h"
 
 namespace mirrorarm::calibration {
@@ -17,9 +18,10 @@ struct Named {
   std::string_view name;
   BoardKind kind;
 };
-constexpr std::array<Named, 3> kKinds = {{{"chessboard", BoardKind::kChessboard},
+constexpr std::array<Named, 4> kKinds = {{{"chessboard", BoardKind::kChessboard},
                                           {"circles", BoardKind::kCircles},
-                                          {"asymmetric-circles", BoardKind::kAsymmetricCircles}}};
+                                          {"asymmetric-circles", BoardKind::kAsymmetricCircles},
+                                          {"dots", BoardKind::kDotPlate}}};
 
 std::optional<int> count(std::string_view text) {
   int value = 0;
@@ -55,7 +57,7 @@ Expected<Board, std::string> boardOf(std::string_view text) {
   Board board;
   if (cells.size() != 3) return unexpected(std::string("is not KIND:COLUMNSxROWS:METRES"));
   if (!readKind(cells[0], board))
-    return unexpected("kind '" + cells[0] + "' is none of chessboard, circles, asymmetric-circles");
+    return unexpected("kind '" + cells[0] + "' is none of chessboard, circles, asymmetric-circles, dots");
   if (!readSize(cells[1], board))
     return unexpected("size '" + cells[1] + "' is not COLUMNSxROWS, each from 3 to 200");
   if (!parseNumber(cells[2], board.spacing_m) || board.spacing_m <= 0.0 ||
@@ -73,6 +75,18 @@ std::vector<Eigen::Vector3d> boardPoints(const Board& board) {
       points.emplace_back(x * board.spacing_m, row * board.spacing_m, 0.0);
     }
   return points;
+}
+
+std::vector<double> discDiameters_m(const Board& board) {
+  std::vector<double> diameters(static_cast<std::size_t>(board.columns) *
+                                static_cast<std::size_t>(board.rows));
+  if (board.kind != BoardKind::kDotPlate) return diameters;
+  for (std::size_t i = 0; i < diameters.size(); ++i) {
+    const int at = static_cast<int>(i);
+    const bool is_large = isLargeDot(at % board.columns, at / board.columns);
+    diameters[i] = (is_large ? kLargeDotShare : kSmallDotShare) * board.spacing_m;
+  }
+  return diameters;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> boardNeighbours(const Board& board) {

@@ -65,6 +65,7 @@ CvPoints findCircles(const cv::Mat& grey, const Board& board) {
 
 /// Images too small for the board make OpenCV throw.
 CvPoints findPoints(const cv::Mat& grey, const Board& board) {
+  if (board.kind == BoardKind::kDotPlate) return {};
   try {
     return board.kind == BoardKind::kChessboard ? findChessboard(grey, board) : findCircles(grey, board);
   } catch (const cv::Exception&) {
@@ -123,6 +124,7 @@ std::vector<BoardPixels> alikeOrders(const BoardPixels& p, const Board& board) {
 
 bool hasOneOrder(const Board& board) {
   if (board.kind == BoardKind::kCircles) return false;
+  if (board.kind == BoardKind::kDotPlate) return true;
   return board.kind == BoardKind::kChessboard ? (board.columns + board.rows) % 2 == 1 : board.rows % 2 == 1;
 }
 
