@@ -21,6 +21,8 @@ enum class DriftVerdict : std::uint8_t {
 };
 /// "holds", "doubtful", "failed".
 [[nodiscard]] std::string_view id(DriftVerdict verdict);
+/// The verdict of that name, or nothing.
+[[nodiscard]] std::optional<DriftVerdict> driftVerdictOf(std::string_view text);
 
 /// Largest values with which a calibration holds.
 struct DriftLimits {
