@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/calibration/board.h"
-#include "core/calibration/bundle.h"
+#include "core/calibration/sighting.h"
 #include "core/camera/stereo_rig.h"
+#include "core/vision/centre_correction.h"
 
 namespace mirrorarm::calibration {
 
@@ -43,7 +46,9 @@ struct ViewMaker {
   camera::StereoRig rig;
   Board board{BoardKind::kChessboard, 9, 6, 0.025};
   double noise_px = 0.0;
-  double reach = 0.6;  ///< how far the board goes aside, as a share of its distance
+  double disc_radius_m = 0.0;  ///< the points are discs, seen by the centres of their outlines; 0: corners
+  bool tells_sigma = false;    ///< the sightings carry the noise as their standard deviation
+  double reach = 0.6;          ///< how far the board goes aside, as a share of its distance
   std::mt19937 random{3};
 
   double between(double low, double high) {
@@ -60,26 +65,46 @@ struct ViewMaker {
                   tilt * middle);
   }
 
+  /// What an image without noise shows of one point.
+  std::optional<SeenPoint> imageOf(const camera::CameraModel& camera, const RigidTransform& X_KM,
+                                   const Eigen::Vector3d& p_M) const {
+    camera::CameraModel::ProjectJacobian by_point;
+    const auto pixel = camera.project(X_KM * p_M, by_point);
+    if (!pixel) return std::nullopt;
+    SeenPoint seen;
+    seen.pixel = *pixel;
+    seen.sigma_px = tells_sigma ? noise_px : 0.0;
+    if (disc_radius_m <= 0.0) return seen;
+    const vision::FlatDisc disc{X_KM * p_M, -X_KM.linear().col(2), disc_radius_m};
+    const Eigen::Matrix2d axes = disc_radius_m * by_point * X_KM.linear().leftCols<2>();
+    seen.shape_px2 = axes * axes.transpose();
+    seen.pixel += vision::centreBias(camera, disc).value();
+    return seen;
+  }
+
   bool see(const camera::CameraModel& camera, const RigidTransform& X_KM, Sighting& sighting) {
     std::normal_distribution<double> noise(0.0, 1.0);
     for (const auto& p_M : boardPoints(board)) {
-      const auto pixel = camera.project(X_KM * p_M);
-      if (!pixel || !camera.sees(*pixel, 2.0)) return false;
-      SeenPoint seen;
-      seen.point = static_cast<int>(sighting.size());
-      seen.pixel = *pixel + noise_px * Eigen::Vector2d(noise(random), noise(random));
-      sighting.push_back(seen);
+      auto seen = imageOf(camera, X_KM, p_M);
+      if (!seen || !camera.sees(seen->pixel, 2.0)) return false;
+      seen->point = static_cast<int>(sighting.size());
+      seen->pixel += noise_px * Eigen::Vector2d(noise(random), noise(random));
+      sighting.push_back(*seen);
     }
     return true;
+  }
+
+  BoardView view(const RigidTransform& X_CM, const std::string& name) {
+    BoardView view{name, {}};
+    if (!see(rig.left, X_CM, view.seen[0]) || !see(rig.right, rig.X_RC * X_CM, view.seen[1])) view.seen = {};
+    return view;
   }
 
   std::vector<BoardView> views(std::size_t count) {
     std::vector<BoardView> made;
     while (made.size() < count) {
-      const RigidTransform X_CM = boardPose();
-      BoardView view{"view" + std::to_string(made.size()), {}};
-      if (see(rig.left, X_CM, view.seen[0]) && see(rig.right, rig.X_RC * X_CM, view.seen[1]))
-        made.push_back(std::move(view));
+      auto next = view(boardPose(), "view" + std::to_string(made.size()));
+      if (!next.seen[0].empty()) made.push_back(std::move(next));
     }
     return made;
   }
