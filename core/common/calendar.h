@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace mirrorarm {
 
@@ -10,5 +12,8 @@ namespace mirrorarm {
 
 /// The same for now. For records only; decisions read a TimeSource.
 [[nodiscard]] std::string isoUtcNow();
+
+/// The moment of such a text, or of its day alone ("2026-01-31", midnight). Nothing for anything else.
+[[nodiscard]] std::optional<std::chrono::system_clock::time_point> timeOfIsoUtc(std::string_view text);
 
 }  // namespace mirrorarm
