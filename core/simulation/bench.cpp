@@ -32,7 +32,9 @@ class SharedKinematics {
   robot::Kinematics kinematics_;  ///< guarded by mutex_
 };
 
+/// None where a plate stands in place of the patient.
 FromFile<std::unique_ptr<ArmMotion>> makeMotion(const BenchSettings& settings, const camera::StereoRig& rig) {
+  if (settings.plate) return std::unique_ptr<ArmMotion>();
   const RigidTransform X_BC = bench_layout::startX_BF() * bench_layout::X_FC();
   const RigidTransform X_BA = X_BC * bench_layout::startX_CA();
   if (settings.motion.empty()) return std::make_unique<ExerciseMotion>(X_BA, settings.legs);
@@ -52,7 +54,8 @@ struct Bench::Body {
   RigidTransform X_FE = bench_layout::X_FE();
   std::vector<robot::Capsule> attached;
   std::vector<Patch> clutter_B = bench_layout::clutter();
-  std::unique_ptr<ArmMotion> motion;
+  std::unique_ptr<ArmMotion> motion;  ///< none where a plate stands
+  std::vector<Patch> plate_B;
   SharedKinematics kinematics;
   SimulatedRobot robot;
   SimulatedCameras cameras;
@@ -75,10 +78,16 @@ struct Bench::Body {
         kinematics(std::move(forward)),
         robot(arm, parts.start, time_source, settings.seed ^ kRobotStream),
         cameras(
-            rig, {}, {}, {settings.rate_hz, settings.exposure, settings.transfer, settings.own_pace},
+            rig, {}, {},
+            {settings.rate_hz, settings.exposure, settings.transfer, settings.own_pace,
+             settings.camera_clock_ahead},
             [this](TimePoint at, StereoRenderer::Instant& patches_C) { look(at, patches_C); }, time_source,
             settings.seed),
-        seen_discs(static_cast<std::size_t>(motion->discCount())) {}
+        seen_discs(static_cast<std::size_t>(motion ? motion->discCount() : 0)) {
+    if (!settings.plate) return;
+    for (const Patch& patch_M : settings.plate->patches_M)
+      plate_B.push_back(transformed(settings.plate->X_BM, patch_M));
+  }
 
   [[nodiscard]] RigidTransform flangeAt(TimePoint at) const { return kinematics.flange(robot.jointsAt(at)); }
 
@@ -87,6 +96,8 @@ struct Bench::Body {
     patches_C.clear();
     for (const Patch& patch_B : clutter_B) patches_C.push_back(transformed(X_CB, patch_B));
     if (target_hidden.load(std::memory_order_relaxed)) return;
+    for (const Patch& patch_B : plate_B) patches_C.push_back(transformed(X_CB, patch_B));
+    if (!motion) return;
     motion->discsAt(phase.at(at), seen_discs);
     for (const Disc& disc_B : seen_discs) patches_C.push_back(transformed(X_CB, patchOf(disc_B)));
   }
@@ -124,10 +135,11 @@ void Bench::setPatientMoving(bool moving) { body_->phase.set(body_->time.now(), 
 
 Bench::Truth Bench::truthAt(TimePoint time) const {
   Truth truth;
+  truth.X_BF = body_->flangeAt(time);
+  if (!body_->motion) return truth;
   const double phase_s = body_->phase.at(time);
   truth.discs.resize(static_cast<std::size_t>(body_->motion->discCount()));
   body_->motion->discsAt(phase_s, truth.discs);
-  truth.X_BF = body_->flangeAt(time);
   truth.healthy = body_->motion->forearmAt(phase_s);
   truth.impaired = bench_layout::impairedForearm((truth.X_BF * body_->X_FE).translation());
   return truth;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,7 @@
 #include "core/robot/arm_description.h"
 #include "core/robot/robot_link.h"
 #include "core/simulation/arm_motion.h"
+#include "core/simulation/patch.h"
 
 namespace mirrorarm::simulation {
 
@@ -25,21 +27,30 @@ struct MinimumJerkLeg {
   double rest_s = 0.5;
 };
 
+/// A calibration plate on a stand, frame M. See bench_layout for a place that the arm reaches all round.
+struct Plate {
+  std::vector<Patch> patches_M;
+  RigidTransform X_BM = RigidTransform::Identity();
+};
+
 struct BenchSettings {
   std::filesystem::path resources;  ///< the project's resources folder
   camera::LensModel lens = camera::LensModel::kKannalaBrandt;
   std::filesystem::path motion;      ///< a TRC file whose forearm markers carry the discs; empty: `legs`
   std::vector<MinimumJerkLeg> legs;  ///< used without `motion`
+  std::optional<Plate> plate;        ///< stands there in place of the patient
   double rate_hz = 24.0;
   Seconds exposure{0.0015};
-  Seconds transfer{0.020};  ///< from the end of the exposure until the frame is handed out
+  Seconds transfer{0.020};          ///< from the end of the exposure until the frame is handed out
+  Seconds camera_clock_ahead{0.0};  ///< the frames' times are later than the truth by that
   std::uint64_t seed = 1;
   bool own_pace = true;  ///< frames and states wait for the time source (real time); false: asked in lockstep
 };
 
 /// A bench that needs no hardware: LBR 4+ with stereo camera and sling on its flange, a passive impaired arm
-/// in the sling, a healthy forearm with ten discs beside it. Everything moves in one world, so the cameras
-/// see what the robot does. Cameras and robot are used from their own threads; truth and faults from any.
+/// in the sling, a healthy forearm with ten discs beside it; or a calibration plate in place of both arms.
+/// Everything moves in one world, so the cameras see what the robot does. Cameras and robot are used from
+/// their own threads; truth and faults from any.
 class Bench {
  public:
   /// `time` outlives the bench. Refused: missing or wrong resources, a TRC that lacks forearm markers.
@@ -61,16 +72,16 @@ class Bench {
 
   /// What is truly there at one time.
   struct Truth {
-    std::vector<Disc> discs;  ///< of the healthy forearm
-    RigidTransform X_BF;      ///< flange
-    ArmMotion::Forearm healthy;
+    std::vector<Disc> discs;      ///< of the healthy forearm; none where a plate stands
+    RigidTransform X_BF;          ///< flange
+    ArmMotion::Forearm healthy;   ///< both forearms are of no meaning where a plate stands
     ArmMotion::Forearm impaired;  ///< wrist in the sling, elbow beside the body
   };
   [[nodiscard]] Truth truthAt(TimePoint time) const;
 
   /// Faults, for tests and for the start-of-day check. Any thread.
   void failCameras(bool failed);
-  void hideTarget(bool hidden);
+  void hideTarget(bool hidden);  ///< or the plate
   void silenceRobot(bool silent);
 
  private:

@@ -43,6 +43,12 @@ RigidTransform startX_CA() {
                        {kHalfBaseline_m, 0.0, kWorkingDistance_m});
 }
 
+RigidTransform plateX_BP() {
+  const Eigen::Vector3d nearer_B(-0.05, 0.0, -0.04);  // more views on all sides are in reach from there
+  return Eigen::Translation3d(nearer_B) * startX_BF() * X_FC() *
+         Eigen::Translation3d(kHalfBaseline_m, 0.0, kWorkingDistance_m);
+}
+
 std::vector<robot::Capsule> attachedShapes(const robot::ArmDescription& arm) {
   const int last = arm.jointCount();
   const RigidTransform X_LC = arm.X_last_F * X_FC();

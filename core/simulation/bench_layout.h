@@ -28,6 +28,11 @@ namespace mirrorarm::simulation::bench_layout {
 /// lying across the image, elbow towards the patient (see exercise_motion.h for frame A).
 [[nodiscard]] RigidTransform startX_CA();
 
+/// Calibration plate P before the cameras at the start, facing them: origin in its middle, x across the
+/// images, y downwards, z away from the cameras. On a stand there, the arm reaches three fifths of the views
+/// from 0.28 to 0.6 m with tilts to 40 degrees, some in every direction.
+[[nodiscard]] RigidTransform plateX_BP();
+
 /// Camera bar and sling bow as shapes of the last link.
 [[nodiscard]] std::vector<robot::Capsule> attachedShapes(const robot::ArmDescription& arm);
 

@@ -48,7 +48,8 @@ camera::StereoFrame SimulatedCameras::render(std::uint64_t sequence) {
   for (std::size_t i = 0; i < instants_.size(); ++i)
     world_(middle + toClock(kInstants[i] * timing_.exposure), instants_[i]);
   auto [left, right] = renderer_.render(instants_, counterRandom(seed_, sequence));
-  return {std::move(left), std::move(right), middle, timing_.exposure, sequence};
+  return {std::move(left), std::move(right), middle + toClock(timing_.clock_ahead), timing_.exposure,
+          sequence};
 }
 
 }  // namespace mirrorarm::simulation

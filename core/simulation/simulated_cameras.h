@@ -14,8 +14,9 @@ namespace mirrorarm::simulation {
 struct CameraTiming {
   double rate_hz = 24.0;
   Seconds exposure{0.0015};
-  Seconds transfer{0.020};  ///< from the end of the exposure until the frame can be had
-  bool waits = true;        ///< next() waits for a frame; false: it only looks, for sessions in lockstep
+  Seconds transfer{0.020};   ///< from the end of the exposure until the frame can be had
+  bool waits = true;         ///< next() waits for a frame; false: it only looks, for sessions in lockstep
+  Seconds clock_ahead{0.0};  ///< the times in the frames are later than the truth by that
 };
 
 /// A stereo camera that looks at a world of patches. The trigger runs freely from the moment it is made:

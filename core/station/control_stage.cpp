@@ -13,6 +13,7 @@ ControlStage::ControlStage(const Equipment& equipment, const StationSettings& se
                            TrackingStage& tracking, RecorderStage& recorder)
     : X_FC_(equipment.X_FC),
       X_FE_(equipment.X_FE),
+      clock_offset_(toClock(equipment.clock_offset)),
       midplane_normal_B_(settings.midplane_normal_B),
       fresh_for_(settings.supervisor.hold_after),
       follow_period_(settings.follower.period),
@@ -61,12 +62,13 @@ void ControlStage::takeReports() {
 }
 
 void ControlStage::takeReport(const FrameReport& report) {
-  seen_.last_frame = report.exposed_at;
+  const TimePoint exposed_at = report.exposed_at + clock_offset_;
+  seen_.last_frame = exposed_at;
   target_ = report.target;
   state_.taught_markers = report.taught_markers;
   state_.taught_sigma_m = report.taught_sigma_m;
   if (report.teachings != teachings_) endTeaching(report);
-  const auto X_BF = digest_.flangeAt(report.exposed_at);
+  const auto X_BF = digest_.flangeAt(exposed_at);
   if (!X_BF) {
     // Without the flange's pose at the exposure the target's place in the base is unknown.
     target_.status = TrackStatus::kLost;
@@ -76,11 +78,11 @@ void ControlStage::takeReport(const FrameReport& report) {
   if (report.target.status != TrackStatus::kLost) {
     state_.X_BT = *X_BF * X_FC_ * report.target.X_CT;
     X_BE_at_target_ = *X_BF * X_FE_;
-    if (report.target.status == TrackStatus::kTracked) seen_.last_target = report.exposed_at;
+    if (report.target.status == TrackStatus::kTracked) seen_.last_target = exposed_at;
     if (state_.has_goal) state_.X_BE_goal = goalOf(alignment_, mapping_, state_.X_BT);
   }
-  const bool belongs = session_start_ && report.exposed_at >= *session_start_ && report.has_target;
-  if (belongs && state_.phase != Phase::kFinished) sample(report, *X_BF);
+  const bool belongs = session_start_ && exposed_at >= *session_start_ && report.has_target;
+  if (belongs && state_.phase != Phase::kFinished) sample(report, exposed_at, *X_BF);
 }
 
 void ControlStage::endTeaching(const FrameReport& report) {
@@ -90,10 +92,10 @@ void ControlStage::endTeaching(const FrameReport& report) {
   answer(report.teaching_error ? Answer::kTooFewMarkers : Answer::kAccepted);
 }
 
-void ControlStage::sample(const FrameReport& report, const RigidTransform& X_BF) {
+void ControlStage::sample(const FrameReport& report, TimePoint exposed_at, const RigidTransform& X_BF) {
   const auto peaks = digest_.takePeaks();
   therapy::Sample sample;
-  sample.time_s = sessionTime(report.exposed_at);
+  sample.time_s = sessionTime(exposed_at);
   sample.training = state_.phase == Phase::kTraining;
   sample.status = report.target.status;
   sample.matched = report.target.matched_count;
@@ -104,7 +106,7 @@ void ControlStage::sample(const FrameReport& report, const RigidTransform& X_BF)
   sample.X_BT = state_.X_BT;
   sample.X_BE = X_BF * X_FE_;
   sample.X_BE_goal = state_.X_BE_goal;
-  sample.q_rad = digest_.jointsAt(report.exposed_at);
+  sample.q_rad = digest_.jointsAt(exposed_at);
   sample.v_rad_s = peaks.v_rad_s;
   sample.a_rad_s2 = peaks.a_rad_s2;
   recorder_.add(sample);

@@ -42,7 +42,7 @@ class ControlStage {
   void takeReports();
   void takeReport(const FrameReport& report);
   void endTeaching(const FrameReport& report);
-  void sample(const FrameReport& report, const RigidTransform& X_BF);
+  void sample(const FrameReport& report, TimePoint exposed_at, const RigidTransform& X_BF);
   void obeyCommands();
   [[nodiscard]] Answer obey(const Command& command);
   [[nodiscard]] Answer align(therapy::Mapping mapping);
@@ -58,6 +58,7 @@ class ControlStage {
 
   const RigidTransform X_FC_;
   const RigidTransform X_FE_;
+  const Clock::duration clock_offset_;  ///< of the robot's clock against the cameras'
   const Eigen::Vector3d midplane_normal_B_;
   const Seconds fresh_for_;
   const Seconds follow_period_;

@@ -18,6 +18,7 @@ struct Equipment {
   std::vector<robot::Capsule> attached;              ///< camera bar and sling, fixed to the flange
   RigidTransform X_FC = RigidTransform::Identity();  ///< camera on the flange (hand-eye)
   RigidTransform X_FE = RigidTransform::Identity();  ///< sling on the flange
+  Seconds clock_offset{0.0};  ///< add it to a frame's time to have the robot's time of the same moment
   bool simulated = false;
 };
 
