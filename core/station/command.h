@@ -20,6 +20,7 @@ enum class Answer {
   kNotNow,         ///< not allowed in this phase
   kStopLatched,    ///< reset the stop first
   kTargetUnseen,   ///< aligning and starting need the target in view
+  kNotCalibrated,  ///< aligning and starting need calibrations that are in force and hold
   kTooFewMarkers,  ///< teaching saw fewer than three markers, or three on a line
   kQueueFull,      ///< refused at once; ask again
 };

@@ -14,6 +14,7 @@ ControlStage::ControlStage(const Equipment& equipment, const StationSettings& se
     : X_FC_(equipment.X_FC),
       X_FE_(equipment.X_FE),
       clock_offset_(toClock(equipment.clock_offset)),
+      calibration_holds_(equipment.calibration_holds),
       midplane_normal_B_(settings.midplane_normal_B),
       fresh_for_(settings.supervisor.hold_after),
       follow_period_(settings.follower.period),
@@ -158,6 +159,7 @@ Answer ControlStage::obey(const Command& command) {
 }
 
 Answer ControlStage::align(therapy::Mapping mapping) {
+  if (!calibration_holds_) return Answer::kNotCalibrated;
   if (!state_.target_fresh || !X_BE_at_target_) return Answer::kTargetUnseen;
   if (session_start_ && mapping != mapping_) return Answer::kNotNow;  // the record names one mapping
   mapping_ = mapping;
@@ -169,6 +171,7 @@ Answer ControlStage::align(therapy::Mapping mapping) {
 }
 
 Answer ControlStage::start() {
+  if (!calibration_holds_) return Answer::kNotCalibrated;
   if (stopLatched()) return Answer::kStopLatched;
   if (!state_.target_fresh) return Answer::kTargetUnseen;
   if (!session_start_) {

@@ -59,6 +59,7 @@ class ControlStage {
   const RigidTransform X_FC_;
   const RigidTransform X_FE_;
   const Clock::duration clock_offset_;  ///< of the robot's clock against the cameras'
+  const bool calibration_holds_;
   const Eigen::Vector3d midplane_normal_B_;
   const Seconds fresh_for_;
   const Seconds follow_period_;

@@ -20,6 +20,7 @@ struct Equipment {
   RigidTransform X_FE = RigidTransform::Identity();  ///< sling on the flange
   Seconds clock_offset{0.0};  ///< add it to a frame's time to have the robot's time of the same moment
   bool simulated = false;
+  bool calibration_holds = true;  ///< false: the robot is not to follow; see calibrated()
 };
 
 }  // namespace mirrorarm::station

@@ -13,6 +13,8 @@ std::string_view id(Answer answer) {
       return "stop_latched";
     case Answer::kTargetUnseen:
       return "target_unseen";
+    case Answer::kNotCalibrated:
+      return "not_calibrated";
     case Answer::kTooFewMarkers:
       return "too_few_markers";
     case Answer::kQueueFull:

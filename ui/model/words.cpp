@@ -101,6 +101,8 @@ QString words(station::Answer answer) {
       return Words::tr("Reset the stop first");
     case station::Answer::kTargetUnseen:
       return Words::tr("The arm target is not in view");
+    case station::Answer::kNotCalibrated:
+      return Words::tr("The calibration does not hold: calibrate, or check it, before a session");
     case station::Answer::kTooFewMarkers:
       return Words::tr("At least three markers that are not on one line must be seen");
     case station::Answer::kQueueFull:
