@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -26,6 +27,8 @@ struct InForce {
 /// The four things that a workstation calibrates or checks.
 enum class CalibrationKind : std::uint8_t { kRig, kHandEye, kClock, kDrift };
 inline constexpr std::size_t kCalibrationKindCount = 4;
+inline constexpr std::array<CalibrationKind, kCalibrationKindCount> kCalibrationKinds = {
+    CalibrationKind::kRig, CalibrationKind::kHandEye, CalibrationKind::kClock, CalibrationKind::kDrift};
 /// "rig", "hand_eye", "clock", "drift".
 [[nodiscard]] std::string_view id(CalibrationKind kind);
 

@@ -14,4 +14,11 @@ std::filesystem::path resourceFolder() {
   return MIRRORARM_SOURCE_RESOURCES;
 }
 
+std::filesystem::path dataFolder() {
+  if (const char* named = std::getenv("MIRRORARM_DATA")) return named;
+  if (const char* shared = std::getenv("XDG_DATA_HOME")) return std::filesystem::path(shared) / "mirrorarm";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : ".") / ".local/share/mirrorarm";
+}
+
 }  // namespace mirrorarm
