@@ -1,5 +1,8 @@
 #include "core/station/bench_equipment.h"
 
+#include "core/geometry/rigid_fit.h"
+#include "core/simulation/bench_layout.h"
+
 namespace mirrorarm::station {
 
 Equipment equipmentOf(simulation::Bench& bench) {
@@ -13,6 +16,16 @@ Equipment equipmentOf(simulation::Bench& bench) {
   equipment.X_FE = bench.X_FE();
   equipment.simulated = true;
   return equipment;
+}
+
+simulation::Plate plateOf(const calibration::Board& board) {
+  const auto points_M = calibration::boardPoints(board);
+  const auto diameters_m = calibration::discDiameters_m(board);
+  simulation::Plate plate;
+  for (std::size_t i = 0; i < points_M.size(); ++i)
+    plate.patches_M.push_back(simulation::patchOf({points_M[i], -Eigen::Vector3d::UnitZ(), diameters_m[i]}));
+  plate.X_BM = simulation::bench_layout::plateX_BP() * Eigen::Translation3d(-centroid(points_M));
+  return plate;
 }
 
 std::vector<simulation::MinimumJerkLeg> legsOf(const therapy::Exercise& exercise) {

@@ -2,6 +2,7 @@
 
 #include <deque>
 
+#include "core/station/even_beat.h"
 #include "core/station/stages.h"
 
 namespace mirrorarm::station {
@@ -10,19 +11,6 @@ namespace {
 /// What stands in for the computing time of a frame, which a repeatable run cannot measure: more than it
 /// takes.
 constexpr Seconds kProcessing{0.010};
-
-/// A beat of its own for each stage.
-struct Beat {
-  explicit Beat(Seconds given) : period(given) {}
-  /// True once a period.
-  bool isDue(TimePoint now) {
-    if (now < next) return false;
-    next = now + toClock(period);
-    return true;
-  }
-  Seconds period;
-  TimePoint next{};
-};
 
 }  // namespace
 
@@ -61,8 +49,8 @@ struct LockstepStation::Body {
   ManualTime& time;
   TimePoint now;
   std::deque<Report> under_way;
-  Beat control_beat{kControlPeriod};
-  Beat recorder_beat{kRecorderPeriod};
+  DueBeat control_beat{kControlPeriod};
+  DueBeat recorder_beat{kRecorderPeriod};
 };
 
 LockstepStation::LockstepStation(const Equipment& equipment, const StationSettings& settings,

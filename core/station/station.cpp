@@ -4,6 +4,7 @@
 
 #include "core/common/log.h"
 #include "core/common/signal.h"
+#include "core/station/even_beat.h"
 #include "core/station/stages.h"
 
 namespace mirrorarm::station {
@@ -11,17 +12,6 @@ namespace {
 
 /// Long enough to idle quietly, short enough that the program ends at once.
 constexpr Seconds kPatience{0.1};
-
-/// Calls `step` at an even beat until asked to stop; a beat that was missed is skipped, not made up for.
-template <class Step>
-void atEvenBeat(const std::stop_token& stop, Seconds period, Step step) {
-  auto due = Clock::now();
-  while (!stop.stop_requested()) {
-    step(Clock::now());
-    due = std::max(due + toClock(period), Clock::now());
-    std::this_thread::sleep_until(due);
-  }
-}
 
 }  // namespace
 

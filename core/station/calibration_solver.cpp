@@ -1,0 +1,163 @@
+#include "core/station/calibration_solver.h"
+
+#include <numbers>
+
+#include "core/calibration/board_pose.h"
+
+namespace mirrorarm::station {
+namespace {
+
+using camera::LensModel;
+
+constexpr std::size_t kHoldOutEvery = 4;
+constexpr std::size_t kViewsForHoldOut = 8;  ///< with fewer, all are needed to solve
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+SolveAnswer refused(const SolveQuestion& question, std::string_view reason) {
+  return {nullptr, std::string(reason), *question.views};
+}
+
+SolveAnswer solved(CalibrationOutcome outcome, TakenViews::List views) {
+  return {std::make_shared<const CalibrationOutcome>(std::move(outcome)), {}, std::move(views)};
+}
+
+using StereoTry = Expected<calibration::StereoCalibration, calibration::CalibrationError>;
+
+double misfit(const calibration::StereoCalibration& result) {
+  return result.hold_out ? result.hold_out->epipolar_px : result.rms_px;
+}
+
+/// The model asked for, or the better of both.
+StereoTry calibrateRig(const SolveQuestion& question, std::span<const calibration::BoardView> views,
+                       std::atomic<double>& progress) {
+  const std::size_t hold_out = views.size() >= kViewsForHoldOut ? kHoldOutEvery : 0;
+  const auto attempt = [&](LensModel model) {
+    return calibration::calibrateStereo(question.board, views, question.size, model, hold_out);
+  };
+  if (question.model) return attempt(*question.model);
+  auto pinhole = attempt(LensModel::kBrownConrady);
+  progress = 0.45;
+  auto fisheye = attempt(LensModel::kKannalaBrandt);
+  if (!pinhole) return fisheye;
+  if (!fisheye) return pinhole;
+  const std::vector<calibration::ModelTrial> trials = {
+      {LensModel::kBrownConrady, pinhole->rms_px, misfit(*pinhole)},
+      {LensModel::kKannalaBrandt, fisheye->rms_px, misfit(*fisheye)}};
+  auto& better = misfit(*fisheye) < misfit(*pinhole) ? fisheye : pinhole;
+  better->trials = trials;
+  return better;
+}
+
+SolveAnswer solveStereo(const SolveQuestion& question, std::atomic<double>& progress) {
+  const auto views = boardViewsOf(*question.views);
+  auto result = calibrateRig(question, views, progress);
+  if (!result) return refused(question, calibration::reason(result.error()));
+  progress = 0.9;
+  auto list = *question.views;
+  for (std::size_t i = 0; i < list.size() && i < result->residuals.size(); ++i) {
+    list[i].residual_px = result->residuals[i].rms_px;
+    list[i].is_outlier = result->residuals[i].is_outlier;
+  }
+  StereoOutcome outcome{std::move(*result), std::nullopt};
+  if (question.known.rig_in_force)
+    outcome.against_in_force =
+        calibration::compareRigs(outcome.result.rig, *question.known.rig, question.board, views);
+  return solved(std::move(outcome), std::move(list));
+}
+
+SolveAnswer solveHandEye(const SolveQuestion& question) {
+  std::vector<calibration::PosePair> pairs;
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < question.views->size(); ++i) {
+    const auto& taken = (*question.views)[i];
+    const auto pose = calibration::poseBoard(*question.known.rig, question.board, taken.view);
+    if (!pose || !taken.X_BF) continue;
+    pairs.push_back({*taken.X_BF, pose->X_CM});
+    used.push_back(i);
+  }
+  auto result = calibration::solveHandEye(pairs, calibration::CameraMount::kInHand);
+  if (!result) return refused(question, calibration::reason(result.error()));
+  auto list = *question.views;
+  for (std::size_t i = 0; i < used.size() && i < result->stations.size(); ++i) {
+    list[used[i]].residual_m = result->stations[i].position_m;
+    list[used[i]].is_outlier = result->stations[i].is_outlier;
+  }
+  HandEyeOutcome outcome{std::move(*result), std::nullopt, std::nullopt};
+  if (question.known.hand_eye_in_force) {
+    const auto& X_FC = question.known.X_FC;
+    outcome.shift_mm = 1e3 * (outcome.result.X_PC.translation() - X_FC.translation()).norm();
+    outcome.turn_deg = kDegrees * angleBetween(outcome.result.X_PC, X_FC);
+  }
+  return solved(std::move(outcome), std::move(list));
+}
+
+SolveAnswer solveClock(const SolveQuestion& question) {
+  auto result =
+      calibration::solveClockOffset(question.robot, question.camera, calibration::CameraMount::kInHand);
+  if (!result) return refused(question, calibration::reason(result.error()));
+  return solved(ClockOutcome{std::move(*result)}, *question.views);
+}
+
+SolveAnswer solveDrift(const SolveQuestion& question, const calibration::DriftLimits& limits) {
+  std::vector<RigidTransform> X_BF;
+  for (const auto& taken : *question.views)
+    if (taken.X_BF) X_BF.push_back(*taken.X_BF);
+  if (X_BF.size() != question.views->size()) X_BF.clear();  // no grid without the robot
+  const auto findings = calibration::checkDrift(*question.known.rig, question.known.X_FC, question.board,
+                                                boardViewsOf(*question.views), X_BF, limits);
+  if (!findings) return refused(question, "no view shows enough of the board: bring it before both cameras");
+  return solved(DriftOutcome{*findings}, *question.views);
+}
+
+}  // namespace
+
+SolveAnswer solveCalibration(const SolveQuestion& question, const calibration::DriftLimits& limits,
+                             std::atomic<double>& progress) {
+  progress = 0.0;
+  const auto answer = [&]() -> SolveAnswer {
+    switch (question.job) {
+      case CalibrationJob::kStereo:
+        return solveStereo(question, progress);
+      case CalibrationJob::kHandEye:
+        return solveHandEye(question);
+      case CalibrationJob::kClock:
+        return solveClock(question);
+      case CalibrationJob::kDrift:
+        return solveDrift(question, limits);
+    }
+    return {};
+  }();
+  progress = 1.0;
+  return answer;
+}
+
+calibration::CalibrationRecord recordOf(const CalibrationOutcome& outcome, const std::string& date) {
+  struct Keeper {
+    const std::string& date;
+    calibration::CalibrationRecord operator()(const StereoOutcome& stereo) const {
+      auto rig = stereo.result.rig;
+      rig.calibration.date = date;
+      return rig;
+    }
+    calibration::CalibrationRecord operator()(const HandEyeOutcome& hand_eye) const {
+      const auto& result = hand_eye.result;
+      calibration::HandEyeNote note;
+      note.date = date;
+      note.method = name(result.method);
+      note.pairs = static_cast<int>(result.stations.size() - result.outliers.size());
+      note.rms_m = result.rms_m;
+      note.rms_rad = result.rms_rad;
+      note.sigma_m = result.sigma_m;
+      return calibration::HandEye{calibration::CameraMount::kInHand, result.X_PC, note};
+    }
+    calibration::CalibrationRecord operator()(const ClockOutcome& clock) const {
+      return calibration::recordOf(clock.result, date, "the robot moved before the board");
+    }
+    calibration::CalibrationRecord operator()(const DriftOutcome& drift) const {
+      return calibration::DriftRecord{date, drift.findings};
+    }
+  };
+  return std::visit(Keeper{date}, outcome);
+}
+
+}  // namespace mirrorarm::station
