@@ -12,6 +12,7 @@ void addCalibrate(CLI::App& app, Context& context);
 void addDetect(CLI::App& app, Context& context);
 void addDoctor(CLI::App& app, Context& context);
 void addExperiment(CLI::App& app, Context& context);
+void addListen(CLI::App& app, Context& context);
 void addSession(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   addDetect(app, context);
   addDoctor(app, context);
   addExperiment(app, context);
+  addListen(app, context);
   addSession(app, context);
   addSimulate(app, context);
   addTarget(app, context);
