@@ -1,5 +1,6 @@
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <numbers>
 
@@ -19,7 +20,15 @@ constexpr double kRadianInDegrees = 180.0 / std::numbers::pi;
 struct Wish {
   std::string pairs;
   std::string eye = std::string(name(CameraMount::kInHand));
+  std::string method = "refined";
   std::string out;
+};
+
+const std::map<std::string, HandEyeMethod> kMethods = {
+    {"visp", HandEyeMethod::kTsaiLenzVisp},
+    {"tsai-lenz", HandEyeMethod::kTsaiLenzAllPairs},
+    {"park", HandEyeMethod::kParkMartin},
+    {"refined", HandEyeMethod::kRefined},
 };
 
 HandEye record(const HandEyeSolution& solution, CameraMount mount, std::size_t pairs) {
@@ -35,6 +44,15 @@ HandEye record(const HandEyeSolution& solution, CameraMount mount, std::size_t p
   return hand_eye;
 }
 
+nlohmann::ordered_json stationTable(const HandEyeSolution& solution) {
+  auto table = nlohmann::ordered_json::array();
+  for (const auto& station : solution.stations)
+    table.push_back({{"residual_mm", station.position_m * 1e3},
+                     {"residual_deg", station.rotation_rad * kRadianInDegrees},
+                     {"outlier", station.is_outlier}});
+  return table;
+}
+
 void fill(nlohmann::ordered_json& result, const HandEyeSolution& solution, std::size_t pairs) {
   const Eigen::Vector3d p = solution.X_PC.translation();
   const auto q = rotationOf(solution.X_PC);
@@ -45,7 +63,9 @@ void fill(nlohmann::ordered_json& result, const HandEyeSolution& solution, std::
   result["sigma_mm"] = solution.sigma_m ? nlohmann::ordered_json(*solution.sigma_m * 1e3) : nullptr;
   result["pairs"] = pairs;
   result["outliers"] = solution.outliers;
+  result["turned"] = solution.turned;
   result["method"] = name(solution.method);
+  result["stations"] = stationTable(solution);
 }
 
 void tell(const HandEyeSolution& solution, std::size_t pairs, const std::string& out) {
@@ -56,13 +76,15 @@ void tell(const HandEyeSolution& solution, std::size_t pairs, const std::string&
             << name(solution.method) << "; written to " << out << "\n";
   for (const auto station : solution.outliers)
     std::cout << "Left out: station " << station << ", counted from 0\n";
+  for (const auto station : solution.turned)
+    std::cout << "Board seen half a turn round, turned back: station " << station << "\n";
 }
 
 void run(const Wish& wish, Context& context) {
   const auto mount = *cameraMountOf(wish.eye);
   const auto pairs = orRefuse(readPosePairs(wish.pairs));
-  const auto solution = solveHandEye(pairs, mount);
-  if (!solution) throw InputRefused(wish.pairs + ": " + std::string(reason(solution.error())));
+  const auto solution = solveHandEye(pairs, mount, kMethods.at(wish.method));
+  if (!solution) throw InputRefused(wish.pairs + ": " + reason(solution.error()));
   orFail(writeHandEye(wish.out, record(*solution, mount, pairs.size())));
   fill(context.result, *solution, pairs.size());
   if (!context.json) tell(*solution, pairs.size(), wish.out);
@@ -80,6 +102,9 @@ void addCalibrateHandEye(CLI::App& calibrate, Context& context) {
       ->required();
   command->add_option("--eye", wish->eye, "What carries the camera")
       ->check(CLI::IsMember(std::vector<std::string>{"in-hand", "to-hand"}))
+      ->capture_default_str();
+  command->add_option("--method", wish->method, "Solver; refined is the best")
+      ->check(CLI::IsMember(std::vector<std::string>{"visp", "tsai-lenz", "park", "refined"}))
       ->capture_default_str();
   command->add_option("--out", wish->out, "The hand_eye.yaml to write")->required();
   command->callback([wish, &context] { run(*wish, context); });

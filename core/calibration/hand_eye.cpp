@@ -7,6 +7,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/calibration/contradicting_stations.h"
+#include "core/calibration/half_turns.h"
+#include "core/calibration/hand_eye_convention.h"
+#include "core/calibration/hand_eye_refinement.h"
+#include "core/calibration/median.h"
+#include "core/calibration/park_martin.h"
+#include "core/calibration/relative_motion.h"
 #include "core/calibration/station_misfit.h"
 #include "core/calibration/tsai_lenz.h"
 
@@ -20,10 +27,14 @@ constexpr double kSmallestLargestTurn_rad = 8.0 * kDegree;
 constexpr double kSmallestSecondSpread_rad = 1.5 * kDegree;
 constexpr double kLargestRms_m = 0.03;
 constexpr double kLargestRms_rad = 5.0 * kDegree;
-/// ViSP's answer stands unless the other one's misfit is smaller by this factor.
-constexpr double kClearlyWorse = 1.5;
+/// A camera placed no better than that is not placed.
+constexpr double kLargestSigma_m = 0.01;
+/// Beyond any arm's reach.
+constexpr double kFarthest_m = 20.0;
 
 using Refusal = std::optional<HandEyeError>;
+
+auto refusal(HandEyeError error) { return unexpected(HandEyeRefusal{error, {}}); }
 
 std::vector<PosePair> asInHand(std::span<const PosePair> pairs, CameraMount mount) {
   std::vector<PosePair> turned(pairs.begin(), pairs.end());
@@ -49,11 +60,19 @@ Refusal refuseTurns(std::span<const PosePair> pairs) {
   return std::nullopt;
 }
 
+double medianDistance_m(std::span<const PosePair> pairs, RigidTransform PosePair::*pose) {
+  std::vector<double> distances_m;
+  for (const auto& pair : pairs) distances_m.push_back((pair.*pose).translation().norm());
+  return median(std::move(distances_m));
+}
+
 Refusal refusePairs(std::span<const PosePair> pairs) {
   if (pairs.size() < kFewestPairs) return HandEyeError::kTooFewPairs;
   for (const auto& pair : pairs)
     if (!isRigid(pair.X_BF, kRigidTolerance) || !isRigid(pair.X_CM, kRigidTolerance))
       return HandEyeError::kNotRigid;
+  if (medianDistance_m(pairs, &PosePair::X_BF) > kFarthest_m) return HandEyeError::kRobotInMillimetres;
+  if (medianDistance_m(pairs, &PosePair::X_CM) > kFarthest_m) return HandEyeError::kCameraInMillimetres;
   return refuseTurns(pairs);
 }
 
@@ -66,24 +85,28 @@ std::vector<PosePair> without(std::span<const PosePair> pairs, std::span<const s
 
 struct Answer {
   RigidTransform X_FC = RigidTransform::Identity();
-  StationMisfit misfit;
-  HandEyeMethod method = HandEyeMethod::kTsaiLenzVisp;
+  std::optional<Eigen::Matrix<double, 6, 6>> covariance;
 };
 
-bool isClearlyBetter(const StationMisfit& one, const StationMisfit& other) {
-  return kClearlyWorse * one.rms_m() < other.rms_m() || kClearlyWorse * one.rms_rad() < other.rms_rad();
+std::optional<Answer> refined(std::span<const PosePair> pairs) {
+  const auto start = tsaiLenzOverAllPairs(pairs);
+  const auto poses = start ? refinePoses(pairs, *start) : std::nullopt;
+  if (!poses) return std::nullopt;
+  return Answer{poses->X_FC, poses->covariance};
 }
 
-std::optional<Answer> bestAnswer(std::span<const PosePair> pairs) {
-  std::optional<Answer> best;
-  if (const auto X_FC = tsaiLenzByVisp(pairs))
-    best = Answer{*X_FC, stationMisfit(pairs, *X_FC), HandEyeMethod::kTsaiLenzVisp};
-  if (const auto X_FC = tsaiLenzOverAllPairs(pairs)) {
-    const auto misfit = stationMisfit(pairs, *X_FC);
-    if (!best || isClearlyBetter(misfit, best->misfit))
-      best = Answer{*X_FC, misfit, HandEyeMethod::kTsaiLenzAllPairs};
-  }
-  return best;
+std::optional<Answer> answerBy(HandEyeMethod method, std::span<const PosePair> pairs) {
+  if (method == HandEyeMethod::kRefined) return refined(pairs);
+  const auto X_FC = method == HandEyeMethod::kTsaiLenzVisp       ? tsaiLenzByVisp(pairs)
+                    : method == HandEyeMethod::kTsaiLenzAllPairs ? tsaiLenzOverAllPairs(pairs)
+                                                                 : parkMartin(pairs);
+  if (!X_FC) return std::nullopt;
+  return Answer{*X_FC, std::nullopt};
+}
+
+double worstAxis(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
 }
 
 /// Delete-one jackknife of the position (Efron and Tibshirani, An Introduction to the Bootstrap, chapter 11),
@@ -101,14 +124,46 @@ std::optional<double> jackknife_m(std::span<const PosePair> pairs) {
   }
   const Eigen::Vector3d mean = positions.rowwise().mean();
   const Eigen::Matrix3Xd strays = positions.colwise() - mean;
-  const Eigen::Matrix3d covariance =
-      strays * strays.transpose() * (static_cast<double>(n - 1) / static_cast<double>(n));
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
+  return worstAxis(strays * strays.transpose() * (static_cast<double>(n - 1) / static_cast<double>(n)));
 }
 
 bool areTooMany(std::span<const std::size_t> outliers, std::size_t stations) {
   return 2 * outliers.size() >= stations || stations - outliers.size() < kFewestPairs;
+}
+
+void fillStations(std::span<const PosePair> pairs, HandEyeSolution& solution) {
+  std::vector<double> weights(pairs.size(), 1.0);
+  for (const auto station : solution.outliers) weights[station] = 0.0;
+  const auto misfit = stationMisfit(pairs, solution.X_PC, weights);
+  solution.X_QM = misfit.X_BM;
+  solution.rms_m = misfit.rms_m(weights);
+  solution.rms_rad = misfit.rms_rad(weights);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    solution.stations.push_back({misfit.position_m[i], misfit.rotation_rad[i], weights[i] == 0.0});
+}
+
+bool isBeyondUse(const HandEyeSolution& solution) {
+  return solution.rms_m > kLargestRms_m || solution.rms_rad > kLargestRms_rad;
+}
+
+/// Without half turns and in the manner of a camera in the hand.
+Expected<HandEyeSolution, HandEyeRefusal> solve(std::span<const PosePair> all, HandEyeMethod method) {
+  HandEyeSolution solution;
+  solution.outliers = contradictingStations(all);
+  if (areTooMany(solution.outliers, all.size())) return refusal(HandEyeError::kInconsistent);
+  const auto kept = without(all, solution.outliers);
+  if (const auto refused = refusePairs(kept)) return refusal(*refused);
+  const auto answer = answerBy(method, kept);
+  if (!answer) return refusal(HandEyeError::kNotSolved);
+  solution.method = method;
+  solution.X_PC = answer->X_FC;
+  solution.covariance = answer->covariance;
+  fillStations(all, solution);
+  if (isBeyondUse(solution)) return refusal(HandEyeError::kInconsistent);
+  solution.sigma_m =
+      answer->covariance ? worstAxis(answer->covariance->bottomRightCorner<3, 3>()) : jackknife_m(kept);
+  if (solution.sigma_m > kLargestSigma_m) return refusal(HandEyeError::kNotSolved);
+  return solution;
 }
 
 }  // namespace
@@ -122,48 +177,30 @@ std::optional<CameraMount> cameraMountOf(std::string_view text) {
 }
 
 std::string_view name(HandEyeMethod method) {
-  return method == HandEyeMethod::kTsaiLenzVisp ? "tsai-lenz (visp)" : "tsai-lenz over all pairs";
-}
-
-std::string_view reason(HandEyeError error) {
-  switch (error) {
-    case HandEyeError::kTooFewPairs:
-      return "holds fewer than 3 pose pairs: capture at least 3 stations, better 15";
-    case HandEyeError::kNotRigid:
-      return "a pose is not finite or its rotation is none";
-    case HandEyeError::kTurnsTooSmall:
-      return "the flange turned by less than 8 degrees between any two stations: turn it by 30 and more "
-             "about two axes";
-    case HandEyeError::kOneAxis:
-      return "the flange turned about one axis only: capture stations turned about a second axis as well";
-    case HandEyeError::kNotSolved:
-      return "the turns do not fix the camera: capture stations turned by 20 to 60 degrees about two axes";
-    case HandEyeError::kInconsistent:
-      return "robot and camera contradict each other: check --eye, that the robot's poses are the flange in "
-             "its base, "
-             "metres, and that the board did not move";
+  switch (method) {
+    case HandEyeMethod::kTsaiLenzVisp:
+      return "tsai-lenz (visp)";
+    case HandEyeMethod::kTsaiLenzAllPairs:
+      return "tsai-lenz over all pairs";
+    case HandEyeMethod::kParkMartin:
+      return "park-martin";
+    case HandEyeMethod::kRefined:
+      break;
   }
-  return "is refused";
+  return "refined";
 }
 
-Expected<HandEyeSolution, HandEyeError> solveHandEye(std::span<const PosePair> pairs, CameraMount mount) {
-  if (const auto refused = refusePairs(pairs)) return unexpected(*refused);
-  const auto all = asInHand(pairs, mount);
-  HandEyeSolution solution;
-  solution.outliers = contradictingStations(all);
-  if (areTooMany(solution.outliers, all.size())) return unexpected(HandEyeError::kInconsistent);
-  const auto kept = without(all, solution.outliers);
-  if (const auto refused = refusePairs(kept)) return unexpected(*refused);
-  const auto answer = bestAnswer(kept);
-  if (!answer) return unexpected(HandEyeError::kNotSolved);
-  solution.X_PC = answer->X_FC;
-  solution.X_QM = answer->misfit.X_BM;
-  solution.rms_m = answer->misfit.rms_m();
-  solution.rms_rad = answer->misfit.rms_rad();
-  solution.method = answer->method;
-  if (solution.rms_m > kLargestRms_m || solution.rms_rad > kLargestRms_rad)
-    return unexpected(HandEyeError::kInconsistent);
-  solution.sigma_m = jackknife_m(kept);
+Expected<HandEyeSolution, HandEyeRefusal> solveHandEye(std::span<const PosePair> pairs, CameraMount mount,
+                                                       HandEyeMethod method) {
+  if (const auto refused = refusePairs(pairs)) return refusal(*refused);
+  if (const auto wrong = wrongConvention(pairs, mount)) return refusal(*wrong);
+  auto all = asInHand(pairs, mount);
+  const auto turns = findHalfTurns(all);
+  if (!turns.stations.empty() && !turns.far_corner_m)
+    return unexpected(HandEyeRefusal{HandEyeError::kBoardTurned, turns.stations});
+  undoHalfTurns(all, turns);
+  auto solution = solve(all, method);
+  if (solution) solution->turned = turns.stations;
   return solution;
 }
 

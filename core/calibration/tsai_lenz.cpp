@@ -1,25 +1,17 @@
 #include "core/calibration/tsai_lenz.h"
 
 #include <array>
-#include <cassert>
-#include <cmath>
-#include <numbers>
+#include <limits>
 
 #include <Eigen/Dense>
 
+#include "core/calibration/least_squares3.h"
+#include "core/calibration/relative_motion.h"
 #include "core/calibration/visp_bridge.h"
 #include "core/geometry/small_motion.h"
 
 namespace mirrorarm::calibration {
 namespace {
-
-constexpr double kLargestTurn_rad = 170.0 / 180.0 * std::numbers::pi;
-constexpr double kSmallestPivotShare = 1e-9;
-
-struct Weighted {
-  RelativeMotion motion;
-  double weight = 1.0;
-};
 
 /// Tsai and Lenz's modified Rodrigues vector: 2 sin(angle / 2) along the axis.
 Eigen::Vector3d turnVector(const Eigen::Matrix3d& R) {
@@ -27,32 +19,14 @@ Eigen::Vector3d turnVector(const Eigen::Matrix3d& R) {
   return (q.w() < 0.0 ? -2.0 : 2.0) * q.vec();
 }
 
-/// Sum of w |S x - d|^2 over equations of three rows, solved for x.
-class LeastSquares {
- public:
-  void add(const Eigen::Matrix3d& S, const Eigen::Vector3d& d, double weight) {
-    normal_ += weight * S.transpose() * S;
-    right_ += weight * S.transpose() * d;
-  }
-  [[nodiscard]] std::optional<Eigen::Vector3d> solve() const {
-    const Eigen::LDLT<Eigen::Matrix3d> ldlt(normal_);
-    const auto pivots = ldlt.vectorD();
-    if (!(pivots.minCoeff() > kSmallestPivotShare * pivots.maxCoeff())) return std::nullopt;
-    return ldlt.solve(right_);
-  }
-
- private:
-  Eigen::Matrix3d normal_ = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
-};
-
 /// Rotation of the camera given that it is nearly `R0`: tan(angle / 2) along the axis of what is left.
-std::optional<Eigen::Vector3d> restOfRotation(std::span<const Weighted> motions, const Eigen::Matrix3d& R0) {
-  LeastSquares equations;
-  for (const auto& [motion, weight] : motions) {
+std::optional<Eigen::Vector3d> restOfRotation(std::span<const RelativeMotion> motions,
+                                              const Eigen::Matrix3d& R0) {
+  LeastSquares3 equations;
+  for (const auto& motion : motions) {
     const Eigen::Vector3d a = turnVector(motion.A.linear());
     const Eigen::Vector3d b = R0 * turnVector(motion.B.linear());
-    equations.add(crossMatrix(a + b), b - a, weight);
+    equations.add(crossMatrix(a + b), b - a, motion.weight);
   }
   return equations.solve();
 }
@@ -62,54 +36,36 @@ Eigen::Matrix3d rotationByTangent(const Eigen::Vector3d& tangent) {
   return q.normalized().toRotationMatrix();
 }
 
+/// How badly a rotation turns the camera's axes into the robot's.
+double misfitOf(std::span<const RelativeMotion> motions, const Eigen::Matrix3d& R_FC) {
+  double sum = 0.0;
+  for (const auto& motion : motions)
+    sum +=
+        motion.weight * (turnVector(motion.A.linear()) - R_FC * turnVector(motion.B.linear())).squaredNorm();
+  return sum;
+}
+
 /// The textbook's vector is infinite for a camera turned by 180 degrees, so the problem is also posed from
-/// three half turns and the start nearest to the answer is taken.
-std::optional<Eigen::Matrix3d> rotationOverMotions(std::span<const Weighted> motions) {
-  std::optional<Eigen::Vector3d> least;
-  Eigen::Matrix3d start = Eigen::Matrix3d::Identity();
+/// three half turns. From the one that happens to be infinite comes anything: the best rotation is taken.
+std::optional<Eigen::Matrix3d> rotationOverMotions(std::span<const RelativeMotion> motions) {
+  std::optional<Eigen::Matrix3d> best;
+  double least = std::numeric_limits<double>::infinity();
   const std::array<Eigen::Vector3d, 4> half_turns = {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, -1, -1),
                                                      Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(-1, -1, 1)};
   for (const auto& diagonal : half_turns) {
     const Eigen::Matrix3d R0 = diagonal.asDiagonal();
     const auto rest = restOfRotation(motions, R0);
-    if (!rest || (least && least->norm() <= rest->norm())) continue;
-    least = rest;
-    start = R0;
+    if (!rest) continue;
+    const Eigen::Matrix3d R_FC = rotationByTangent(*rest) * R0;
+    const double misfit = misfitOf(motions, R_FC);
+    if (misfit >= least) continue;
+    least = misfit;
+    best = R_FC;
   }
-  if (!least) return std::nullopt;
-  return rotationByTangent(*least) * start;
-}
-
-std::optional<Eigen::Vector3d> translationOverMotions(std::span<const Weighted> motions,
-                                                      const Eigen::Matrix3d& R_FC) {
-  LeastSquares equations;
-  for (const auto& [motion, weight] : motions)
-    equations.add(motion.A.linear() - Eigen::Matrix3d::Identity(),
-                  R_FC * motion.B.translation() - motion.A.translation(), weight);
-  return equations.solve();
-}
-
-std::vector<Weighted> usableMotions(std::span<const PosePair> pairs, std::span<const double> weights) {
-  std::vector<Weighted> usable;
-  for (const auto& motion : relativeMotions(pairs)) {
-    if (rotationVector(motion.A.linear()).norm() > kLargestTurn_rad) continue;
-    if (rotationVector(motion.B.linear()).norm() > kLargestTurn_rad) continue;
-    usable.push_back({motion, weights.empty() ? 1.0 : weights[motion.i] * weights[motion.j]});
-  }
-  return usable;
+  return best;
 }
 
 }  // namespace
-
-std::vector<RelativeMotion> relativeMotions(std::span<const PosePair> pairs) {
-  std::vector<RelativeMotion> motions;
-  motions.reserve(pairs.size() * (pairs.size() + 1) / 2);
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    for (std::size_t j = i + 1; j < pairs.size(); ++j)
-      motions.push_back(
-          {i, j, pairs[j].X_BF.inverse() * pairs[i].X_BF, pairs[j].X_CM * pairs[i].X_CM.inverse()});
-  return motions;
-}
 
 std::optional<RigidTransform> tsaiLenzByVisp(std::span<const PosePair> pairs) {
   std::vector<RigidTransform> X_CM, X_BF;
@@ -123,11 +79,10 @@ std::optional<RigidTransform> tsaiLenzByVisp(std::span<const PosePair> pairs) {
 
 std::optional<RigidTransform> tsaiLenzOverAllPairs(std::span<const PosePair> pairs,
                                                    std::span<const double> weights) {
-  assert(weights.empty() || weights.size() == pairs.size());
-  const auto motions = usableMotions(pairs, weights);
+  const auto motions = tellingMotions(pairs, weights);
   const auto R_FC = rotationOverMotions(motions);
   if (!R_FC) return std::nullopt;
-  const auto p_FC = translationOverMotions(motions, *R_FC);
+  const auto p_FC = positionOverMotions(motions, *R_FC);
   if (!p_FC) return std::nullopt;
   return makeTransform(*R_FC, *p_FC);
 }

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "core/calibration/pose_pairs.h"
 
@@ -16,21 +15,10 @@ namespace mirrorarm::calibration {
 /// silenced meanwhile: other threads must not print there.
 [[nodiscard]] std::optional<RigidTransform> tsaiLenzByVisp(std::span<const PosePair> pairs);
 
-/// Tsai-Lenz by least squares over all pairs of stations. Pairs turned by nearly half a turn, whose axis has
-/// no sign, are left out. `weights`: one a station, >= 0; empty for equal ones. Nothing when the turns do not
-/// fix the answer. Source: Tsai, Lenz, IEEE Trans. Robotics and Automation 5(3), 1989.
+/// Tsai-Lenz by least squares over all pairs of stations that tell something, see tellingMotions. `weights`:
+/// one a station, >= 0; empty for equal ones. Nothing when the turns do not fix the answer. Source: Tsai,
+/// Lenz, IEEE Trans. Robotics and Automation 5(3), 1989.
 [[nodiscard]] std::optional<RigidTransform> tsaiLenzOverAllPairs(std::span<const PosePair> pairs,
                                                                  std::span<const double> weights = {});
-
-/// How the robot turned between two stations, i < j.
-struct RelativeMotion {
-  std::size_t i = 0;
-  std::size_t j = 0;
-  RigidTransform A = RigidTransform::Identity();  ///< X_FjFi, of the robot
-  RigidTransform B = RigidTransform::Identity();  ///< X_CjCi, of the camera, so that A X_FC = X_FC B
-};
-
-/// Between every two stations.
-[[nodiscard]] std::vector<RelativeMotion> relativeMotions(std::span<const PosePair> pairs);
 
 }  // namespace mirrorarm::calibration

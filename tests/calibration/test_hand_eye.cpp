@@ -58,13 +58,6 @@ TEST(HandEye, CameraBesideTheRobot) {
   EXPECT_LT(distance_m(found->X_PC, maker.X_FC), 0.002);
 }
 
-TEST(HandEye, StationsCapturedWithTheCameraElsewhereAreRefused) {
-  StationMaker maker = noisyMaker();
-  const auto found = solveHandEye(maker.stationsToHand(15), CameraMount::kInHand);
-  ASSERT_FALSE(found);
-  EXPECT_TRUE(found.error() == HandEyeError::kInconsistent || found.error() == HandEyeError::kNotSolved);
-}
-
 TEST(HandEye, OneStationFiftyMillimetresOffIsNamedAndLeftOut) {
   StationMaker maker = noisyMaker();
   auto stations = maker.stations(15);
@@ -84,7 +77,8 @@ TEST(HandEye, ThreeWrongStationsOfFifteenAreNamed) {
       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()));  // board order flipped
   const auto found = solveHandEye(stations, CameraMount::kInHand);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->outliers, (std::vector<std::size_t>{1, 8, 14}));
+  EXPECT_EQ(found->outliers, (std::vector<std::size_t>{1, 8}));
+  EXPECT_EQ(found->turned, std::vector<std::size_t>{14});
 }
 
 TEST(HandEye, AllPairsSolveACameraTurnedByHalfATurn) {
@@ -102,7 +96,7 @@ TEST(HandEye, RefusesWhatCannotDetermineTheCamera) {
   StationMaker maker = noisyMaker();
   const auto refusal = [](const std::vector<PosePair>& stations) {
     const auto found = solveHandEye(stations, CameraMount::kInHand);
-    return found ? std::optional<HandEyeError>() : found.error();
+    return found ? std::optional<HandEyeError>() : found.error().error;
   };
   EXPECT_EQ(refusal({}), HandEyeError::kTooFewPairs);
   EXPECT_EQ(refusal(maker.stations(2)), HandEyeError::kTooFewPairs);
@@ -117,10 +111,10 @@ TEST(HandEye, RefusesPosesThatAreNone) {
   StationMaker maker;
   auto stations = maker.stations(5);
   stations[3].X_CM.translation().y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(solveHandEye(stations, CameraMount::kInHand).error(), HandEyeError::kNotRigid);
+  EXPECT_EQ(solveHandEye(stations, CameraMount::kInHand).error().error, HandEyeError::kNotRigid);
   stations = maker.stations(5);
   stations[0].X_BF.linear() *= 1.1;
-  EXPECT_EQ(solveHandEye(stations, CameraMount::kInHand).error(), HandEyeError::kNotRigid);
+  EXPECT_EQ(solveHandEye(stations, CameraMount::kInHand).error().error, HandEyeError::kNotRigid);
 }
 
 TEST(HandEye, VispPrintsNothing) {
