@@ -77,6 +77,12 @@ std::vector<Eigen::Vector3d> boardPoints(const Board& board) {
   return points;
 }
 
+Eigen::Vector3d boardMiddle(const Board& board) {
+  const bool is_shifted = board.kind == BoardKind::kAsymmetricCircles;
+  const int steps = is_shifted ? 2 * board.columns - 1 : board.columns - 1;
+  return 0.5 * board.spacing_m * Eigen::Vector3d(steps, board.rows - 1, 0.0);
+}
+
 std::vector<double> discDiameters_m(const Board& board) {
   std::vector<double> diameters(static_cast<std::size_t>(board.columns) *
                                 static_cast<std::size_t>(board.rows));

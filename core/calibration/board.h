@@ -33,6 +33,9 @@ struct Board {
 /// The points in frame M [m], row by row, z = 0.
 [[nodiscard]] std::vector<Eigen::Vector3d> boardPoints(const Board& board);
 
+/// The middle between the outermost points, in frame M [m].
+[[nodiscard]] Eigen::Vector3d boardMiddle(const Board& board);
+
 /// Diameters of the discs [m], a point each: of a dot plate small and large ones, kSmallDotShare and
 /// kLargeDotShare of the spacing. 0 where there is no disc (chessboard) or its size is not known (circles).
 [[nodiscard]] std::vector<double> discDiameters_m(const Board& board);

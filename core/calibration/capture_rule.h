@@ -22,11 +22,14 @@ enum class CaptureVerdict : std::uint8_t {
 [[nodiscard]] std::string_view id(CaptureVerdict verdict);
 
 /// The coordinates of a view that tell whether it shows something new, each from 0 to 1: where the middle of
-/// the board lies in the first image, how large it is there, and how it is tilted (foreshortening along and
-/// across the rows, with sign). Source: the sampling rule of the ROS camera calibrator.
+/// the board lies in the first image, how large it is there (root of its share of the image), and how it is
+/// tilted along and across the rows: 0.5 seen square, more when its first column (row) is nearer, by the
+/// logarithm of the ratio of the outer columns' (rows') lengths. Source: the sampling rule of the ROS camera
+/// calibrator, with the sign of the tilts in place of their size.
 struct ViewSignature {
   double x = 0.0, y = 0.0, size = 0.0, tilt_along = 0.0, tilt_across = 0.0;
 };
+/// From the points that are seen; all 0 with fewer than 4.
 [[nodiscard]] ViewSignature signatureOf(const Sighting& sighting, const Board& board, ImageSize size);
 
 struct CaptureSettings {
@@ -47,6 +50,7 @@ class CaptureRule {
 
  private:
   [[nodiscard]] bool isStill(const BoardView& view);
+  [[nodiscard]] bool isNew(const BoardView& view, std::span<const BoardView> taken) const;
   Board board_;
   ImageSize size_;
   bool stereo_;

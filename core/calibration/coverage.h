@@ -31,8 +31,11 @@ struct DistanceRange {
   double farthest_m = 0.65;
 };
 
-/// `X_CM`: the board in the first camera as far as it is known, a view each; empty when it is not.
+/// `X_CM`: the board in the first camera as far as it is known, a view each; empty when it is not. Tilt is
+/// the angle between the board's normal and the line of sight to `middle_M` (see boardMiddle()), distance the
+/// way to it; views nearer or farther than `range` are in no cell.
 [[nodiscard]] Coverage coverageOf(std::span<const BoardView> views, std::span<const RigidTransform> X_CM,
-                                  ImageSize size, const DistanceRange& range = {});
+                                  ImageSize size, const DistanceRange& range = {},
+                                  const Eigen::Vector3d& middle_M = Eigen::Vector3d::Zero());
 
 }  // namespace mirrorarm::calibration
