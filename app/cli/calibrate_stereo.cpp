@@ -12,31 +12,37 @@
 namespace mirrorarm::cli {
 namespace {
 
-using calibration::HoldOut;
 using calibration::StereoCalibration;
 
 struct Wish : LensWish {
   std::string left;
   std::string right;
+  std::string left_serial;
+  std::string right_serial;
   std::size_t hold_out = 0;
 };
 
-nlohmann::ordered_json toJson(const std::optional<HoldOut>& hold_out) {
-  if (!hold_out) return nullptr;
-  return {{"epipolar_px", hold_out->epipolar_px},
-          {"square_mean_percent", hold_out->square_mean_percent},
-          {"square_std_percent", hold_out->square_std_percent},
-          {"views", hold_out->views}};
+LensReport reportOf(const StereoCalibration& solved) {
+  return {solved.rms_px,      solved.rig.left.intrinsics().model,
+          solved.views,       solved.outliers,
+          *solved.hold_out,   solved.residuals,
+          solved.board_shape, solved.trials};
 }
 
-void tell(const StereoCalibration& solved, const std::string& out) {
-  std::cout << std::fixed << std::setprecision(3) << "Reprojection " << solved.rms_px << " px rms over "
-            << solved.views << " views, baseline " << solved.rig.X_RC.translation().norm() * 1e3
-            << " mm; written to " << out << "\n";
-  if (const auto& kept = solved.hold_out)
-    std::cout << "On " << kept->views << " views kept out: epipolar " << kept->epipolar_px
-              << " px rms, squares " << kept->square_mean_percent << " % off, std "
-              << kept->square_std_percent << " %\n";
+nlohmann::ordered_json sigmaOf(const StereoCalibration& solved) {
+  const Eigen::Vector3d turn_rad = solved.bar_sigma.head<3>();
+  const Eigen::Vector3d shift_mm = 1e3 * solved.bar_sigma.tail<3>();
+  return {{"left", toJson(solved.lens_sigma[0])},
+          {"right", toJson(solved.lens_sigma[1])},
+          {"bar_turn_rad", {turn_rad.x(), turn_rad.y(), turn_rad.z()}},
+          {"bar_shift_mm", {shift_mm.x(), shift_mm.y(), shift_mm.z()}}};
+}
+
+void complete(const Wish& wish, camera::CalibrationNote& note) {
+  note.date = isoUtcNow();
+  note.board = wish.board;
+  note.left_serial = wish.left_serial;
+  note.right_serial = wish.right_serial;
 }
 
 void run(const Wish& wish, Context& context) {
@@ -44,17 +50,16 @@ void run(const Wish& wish, Context& context) {
   const auto images = orRefuse(calibration::readBoardImagePairs(wish.left, wish.right, board));
   auto solved = calibrateStereo(board, images.views, images.size, wishedModel(wish), wish.hold_out);
   if (!solved) refuseViews(wish.left, solved.error(), images);
-  solved->rig.calibration.date = isoUtcNow();
+  complete(wish, solved->rig.calibration);
   orFail(camera::writeRig(wish.out, solved->rig));
-  context.result["rms_px"] = solved->rms_px;
-  context.result["hold_out"] = toJson(solved->hold_out);
-  context.result["model"] = wish.model;
-  context.result["views"] = solved->views;
-  context.result["outliers"] = solved->outliers;
-  context.result["not_found"] = images.not_found;
+  const auto report = reportOf(*solved);
+  const double baseline_mm = solved->rig.X_RC.translation().norm() * 1e3;
+  fillLensReport(report, images, context);
+  context.result["baseline_mm"] = baseline_mm;
+  context.result["sigma"] = sigmaOf(*solved);
   if (context.json) return;
-  tell(*solved, wish.out);
-  tellLeftOut(solved->outliers, images);
+  tellLensReport(report, images, wish.out);
+  std::cout << "Cameras " << std::setprecision(2) << baseline_mm << " mm apart\n";
 }
 
 }  // namespace
@@ -62,18 +67,20 @@ void run(const Wish& wish, Context& context) {
 void addCalibrateStereo(CLI::App& calibrate, Context& context) {
   CLI::App* command = addCommand(calibrate, context, "stereo", "Both cameras and the bar between them",
                                  "mirrorarm-cli calibrate stereo left/ right/ --board chessboard:9x6:0.025 "
-                                 "--model brown_conrady --hold-out 2 --out rig.yaml --json");
+                                 "--hold-out 2 --out rig.yaml --json");
   const auto wish = std::make_shared<Wish>();
   command->add_option("left", wish->left, "Folder with the left images, or a path with one *")->required();
   command->add_option("right", wish->right, "The same for the right ones, matched by number or name")
       ->required();
-  addLensOptions(*command, *wish);
+  addLensOptions(*command, *wish, "rig.yaml");
   command
       ->add_option(
           "--hold-out", wish->hold_out,
-          "Keep every N-th view out of the solution and measure on it; the rig is solved from the others")
+          "Keep every N-th view out of the solution and measure on it; the rig is solved from the others. "
+          "Without: solved from all, measured by cross-validation")
       ->check(CLI::Range(2, 1000));
-  command->add_option("--out", wish->out, "The rig.yaml to write")->required();
+  command->add_option("--left-serial", wish->left_serial, "Serial number of the left camera, for the record");
+  command->add_option("--right-serial", wish->right_serial, "The same of the right one");
   command->callback([wish, &context] { run(*wish, context); });
 }
 

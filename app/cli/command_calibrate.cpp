@@ -1,12 +1,9 @@
-#include <iostream>
-
 #include <CLI/CLI.hpp>
 
 #include "app/cli/calibrate_commands.h"
 #include "app/cli/commands.h"
 
 namespace mirrorarm::cli {
-namespace {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string line;
@@ -14,18 +11,17 @@ std::string joined(const std::vector<std::string>& names) {
   return line;
 }
 
-}  // namespace
-
-void addLensOptions(CLI::App& command, LensWish& wish) {
+void addLensOptions(CLI::App& command, LensWish& wish, const std::string& out_file) {
   command
       .add_option(
           "--board", wish.board,
           "chessboard:9x6:0.025, circles:6x6:0.034 or asymmetric-circles:4x11:0.02: points in a row x rows, "
           "step in metres")
       ->required();
-  command.add_option("--model", wish.model, "Lens model")
-      ->check(CLI::IsMember(std::vector<std::string>{"brown_conrady", "kannala_brandt"}))
-      ->required();
+  command
+      .add_option("--model", wish.model, "Lens model; without it the one that errs less on views kept out")
+      ->check(CLI::IsMember(std::vector<std::string>{"brown_conrady", "kannala_brandt"}));
+  command.add_option("--out", wish.out, "The " + out_file + " to write")->required();
 }
 
 calibration::Board wishedBoard(const LensWish& wish) {
@@ -34,18 +30,13 @@ calibration::Board wishedBoard(const LensWish& wish) {
   return *board;
 }
 
-camera::LensModel wishedModel(const LensWish& wish) { return camera::lensModelOf(wish.model).value(); }
+std::optional<camera::LensModel> wishedModel(const LensWish& wish) { return camera::lensModelOf(wish.model); }
 
-void refuseViews(const std::string& images, calibration::CalibrationError error,
+void refuseViews(const std::string& images, const calibration::CalibrationRefusal& refusal,
                  const calibration::BoardImages& read) {
-  std::string line = images + ": " + std::string(reason(error));
+  std::string line = images + ": " + reason(refusal);
   if (!read.not_found.empty()) line += "; board not found whole in " + joined(read.not_found);
   throw InputRefused(line);
-}
-
-void tellLeftOut(const std::vector<std::string>& outliers, const calibration::BoardImages& read) {
-  if (!outliers.empty()) std::cout << "Left out, far worse than the others: " << joined(outliers) << "\n";
-  if (!read.not_found.empty()) std::cout << "Board not found whole in: " << joined(read.not_found) << "\n";
 }
 
 void addCalibrate(CLI::App& app, Context& context) {

@@ -2,17 +2,17 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
-#include <opencv2/calib3d.hpp>
+#include "core/calibration/board_pose.h"
+#include "core/calibration/pairing.h"
+#include "core/calibration/planar_pose.h"
 
 namespace mirrorarm::calibration {
 namespace {
 
 /// Horizontal angles of view to start from [rad]: from a long lens to a fisheye.
 constexpr std::array<double, 5> kAngles_rad = {0.5, 0.9, 1.3, 1.8, 2.6};
-/// Length that weighs the turn of a bar against its shift [m].
-constexpr double kTurnLength_m = 0.5;
 
 camera::Intrinsics plainLens(ImageSize size, camera::LensModel model, double angle_rad) {
   camera::Intrinsics lens;
@@ -27,98 +27,70 @@ camera::Intrinsics plainLens(ImageSize size, camera::LensModel model, double ang
   return lens;
 }
 
-RigidTransform fromRodrigues(const cv::Vec3d& turn, const cv::Vec3d& shift) {
-  const Eigen::Vector3d r(turn[0], turn[1], turn[2]);
-  const Eigen::AngleAxisd rotation(r.norm(), r.stableNormalized());
-  return makeTransform(Eigen::Quaterniond(rotation), Eigen::Vector3d(shift[0], shift[1], shift[2]));
-}
-
-std::optional<RigidTransform> poseBoard(const camera::CameraModel& camera,
-                                        std::span<const Eigen::Vector3d> board, const Sighting& sighting) {
-  std::vector<cv::Point3d> points;
-  std::vector<cv::Point2d> straight;
-  for (const auto& seen : sighting) {
-    const auto direction = camera.unproject(seen.pixel);
-    if (!direction) return std::nullopt;
-    const Eigen::Vector3d& p_M = board[static_cast<std::size_t>(seen.point)];
-    points.emplace_back(p_M.x(), p_M.y(), p_M.z());
-    straight.emplace_back(direction->x(), direction->y());
-  }
-  cv::Vec3d turn, shift;
-  try {
-    if (!cv::solvePnP(points, straight, cv::Matx33d::eye(), cv::noArray(), turn, shift, false,
-                      cv::SOLVEPNP_IPPE))
-      return std::nullopt;
-  } catch (const cv::Exception&) {
-    return std::nullopt;
-  }
-  const auto X_CM = fromRodrigues(turn, shift);
-  return isRigid(X_CM) ? std::optional(X_CM) : std::nullopt;
-}
-
-std::optional<Bundle> startFrom(const camera::Intrinsics& lens, std::span<const Eigen::Vector3d> board,
-                                std::span<const BoardView> views) {
+std::optional<Bundle> posedUnder(const camera::Intrinsics& lens, std::span<const Eigen::Vector3d> board,
+                                 std::span<const BoardView> views) {
   Bundle start;
   start.cameras = {lens};
   for (const auto& view : views) {
-    const auto X_CM = poseBoard(camera::CameraModel(lens), board, view.seen[0]);
-    if (!X_CM) return std::nullopt;
-    start.X_CM.push_back(*X_CM);
+    const auto poses = planarPoses(camera::CameraModel(lens), board, view.seen[0]);
+    if (poses.empty()) return std::nullopt;
+    start.X_CM.push_back(poses.front());
   }
   return start;
 }
 
-std::vector<BoardView> ofSecondCamera(std::span<const BoardView> views) {
-  std::vector<BoardView> second;
-  for (const auto& view : views) second.push_back({view.name, {view.seen[1], {}}});
-  return second;
+void poseAnew(const Board& board, std::span<const BoardView> views, Bundle& bundle) {
+  camera::StereoRig alone;
+  alone.left = camera::CameraModel(bundle.cameras[0]);
+  for (std::size_t v = 0; v < views.size(); ++v)
+    if (const auto pose = poseBoard(alone, board, views[v])) bundle.X_CM[v] = pose->X_CM;
 }
 
-double distance_m(const RigidTransform& a, const RigidTransform& b) {
-  return (a.translation() - b.translation()).norm() + kTurnLength_m * angleBetween(a, b);
+/// The views with the sightings of one camera alone.
+std::vector<BoardView> seenBy(std::size_t k, std::span<const BoardView> views) {
+  std::vector<BoardView> alone;
+  for (const auto& view : views) alone.push_back({view.name, {view.seen[k], {}}});
+  return alone;
 }
 
-/// Every view gives a bar; the one nearest to all others is taken, so that a bad view does no harm.
-RigidTransform agreedBar(std::span<const RigidTransform> left, std::span<const RigidTransform> right) {
-  std::vector<RigidTransform> bars;
-  for (std::size_t i = 0; i < left.size(); ++i) bars.push_back(right[i] * left[i].inverse());
-  RigidTransform best = bars.front();
-  double least = std::numeric_limits<double>::max();
-  for (const auto& candidate : bars) {
-    double sum = 0.0;
-    for (const auto& other : bars) sum += distance_m(candidate, other);
-    if (sum >= least) continue;
-    least = sum;
-    best = candidate;
-  }
-  return best;
+CalibrationRefusal wrongPairs(std::span<const ImagePair> better, std::span<const BoardView> views) {
+  CalibrationRefusal refusal{CalibrationError::kPairsOutOfOrder, {}};
+  for (const auto& pair : better)
+    refusal.views.push_back(views[pair.left].name + " fits the partner of " + views[pair.right].name);
+  return refusal;
 }
 
 }  // namespace
 
-std::optional<BundleFit> fitCamera(std::span<const Eigen::Vector3d> board, std::span<const BoardView> views,
-                                   ImageSize size, camera::LensModel model) {
-  std::optional<BundleFit> best;
+Expected<Bundle, CalibrationRefusal> startCamera(const Board& board, std::span<const BoardView> views,
+                                                 ImageSize size, camera::LensModel model) {
+  const auto points = boardPoints(board);
+  const auto alone = seenBy(0, views);
+  std::optional<AdjustedBundle> best;
   for (const double angle_rad : kAngles_rad) {
-    const auto start = startFrom(plainLens(size, model, angle_rad), board, views);
+    const auto start = posedUnder(plainLens(size, model, angle_rad), points, alone);
     if (!start) continue;
-    auto fit = adjustBundle(*start, board, views);
-    if (fit && (!best || fit->rms_px < best->rms_px)) best = std::move(fit);
+    auto adjusted = adjustBundle(*start, points, alone);
+    if (adjusted && (!best || adjusted->squares < best->squares)) best = std::move(adjusted);
   }
-  return best;
+  if (!best) return unexpected(CalibrationRefusal{CalibrationError::kNotSolved, {}});
+  poseAnew(board, alone, best->bundle);
+  auto adjusted = adjustBundle(best->bundle, points, alone);
+  return adjusted ? std::move(adjusted->bundle) : std::move(best->bundle);
 }
 
-std::optional<BundleFit> fitRig(std::span<const Eigen::Vector3d> board, std::span<const BoardView> views,
-                                ImageSize size, camera::LensModel model) {
-  const auto left = fitCamera(board, views, size, model);
-  if (!left) return std::nullopt;
-  const auto right = fitCamera(board, ofSecondCamera(views), size, model);
-  if (!right) return std::nullopt;
-  Bundle start;
-  start.cameras = {left->bundle.cameras[0], right->bundle.cameras[0]};
-  start.X_RC = agreedBar(left->bundle.X_CM, right->bundle.X_CM);
-  start.X_CM = left->bundle.X_CM;
-  return adjustBundle(start, board, views);
+Expected<Bundle, CalibrationRefusal> startRig(const Board& board, std::span<const BoardView> views,
+                                              ImageSize size, camera::LensModel model) {
+  const auto left = startCamera(board, views, size, model);
+  if (!left) return unexpected(left.error());
+  const auto right = startCamera(board, seenBy(1, views), size, model);
+  if (!right) return unexpected(right.error());
+  const auto vote = voteForBar(left->X_CM, right->X_CM);
+  if (!vote.better.empty()) return unexpected(wrongPairs(vote.better, views));
+  Bundle start = *left;
+  start.cameras.push_back(right->cameras[0]);
+  start.X_RC = vote.X_RC;
+  return start;
 }
 
 }  // namespace mirrorarm::calibration

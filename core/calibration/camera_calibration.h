@@ -1,52 +1,35 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/calibration/board.h"
-#include "core/calibration/bundle_start.h"
+#include "core/calibration/calibration_figures.h"
+#include "core/calibration/calibration_refusal.h"
 #include "core/camera/camera_model.h"
 #include "core/common/expected.h"
 
 namespace mirrorarm::calibration {
 
-/// What the operator can mend.
-enum class CalibrationError {
-  kTooFewViews,
-  kNotSolved,
-  kViewsTooAlike,
-  kMisfit,
-};
-/// One line for an engineer: what is wrong and the remedy.
-[[nodiscard]] std::string_view reason(CalibrationError error);
-
-/// The bundle over the views that fit it.
-struct SolvedViews {
-  BundleFit fit;
-  std::vector<std::size_t> used;      ///< views behind the fit, ascending
-  std::vector<std::size_t> outliers;  ///< views left out: more than 3 times the median misfit
-};
-
-/// Solves one camera or, where the views hold second pixels, a rig; finds outlier views and solves again
-/// without them. At least 3 views, and half of them, must remain.
-[[nodiscard]] Expected<SolvedViews, CalibrationError> solveViews(const Board& board,
-                                                                 std::span<const BoardView> views,
-                                                                 ImageSize size, camera::LensModel model);
-
 struct CameraCalibration {
   camera::CameraModel camera;
-  double rms_px = 0.0;                ///< distance of a corner from its projection
-  std::size_t views = 0;              ///< behind the fit
-  std::vector<std::string> outliers;  ///< names of the views left out
+  camera::CalibrationNote note;         ///< the date, the board and the serial numbers left empty
+  double rms_px = 0.0;                  ///< distance of a point from its projection
+  std::size_t views = 0;                ///< behind the fit
+  std::vector<std::string> outliers;    ///< names of the views left out
+  HoldOut hold_out;                     ///< reprojection alone, by cross-validation
+  std::vector<ViewResidual> residuals;  ///< of all views given, in their order
+  LensSigma sigma;
+  std::optional<BoardShape> board_shape;  ///< where the views fix it
+  std::vector<ModelTrial> trials;
 };
 
-/// One camera's lens from views of a board, by bundle adjustment.
-/// Source: paper section 2.1; Zhang, PAMI 22(11), 2000.
-[[nodiscard]] Expected<CameraCalibration, CalibrationError> calibrateCamera(const Board& board,
-                                                                            std::span<const BoardView> views,
-                                                                            ImageSize size,
-                                                                            camera::LensModel model);
+/// One camera's lens from the first sightings of views of a board, by bundle adjustment; without a `model`
+/// the one that does better on views kept out. Source: paper section 2.1; Zhang, PAMI 22(11), 2000.
+[[nodiscard]] Expected<CameraCalibration, CalibrationRefusal> calibrateCamera(
+    const Board& board, std::span<const BoardView> views, ImageSize size,
+    std::optional<camera::LensModel> model = std::nullopt);
 
 }  // namespace mirrorarm::calibration

@@ -1,6 +1,7 @@
 #include "core/calibration/camera_file.h"
 
 #include "core/camera/camera_yaml.h"
+#include "core/camera/note_yaml.h"
 #include "core/common/atomic_file.h"
 #include "core/common/yaml.h"
 
@@ -15,12 +16,7 @@ CameraRecord record(const YamlNode& root) {
   CameraRecord read;
   read.camera =
       camera::CameraModel(camera::readIntrinsics(root, camera::readImageSize(root["image_size_px"])));
-  if (!root.has("calibration")) return read;
-  const auto note = root["calibration"];
-  note.allowOnly({"date", "method", "rms_px"});
-  if (note.has("date")) read.calibration.date = note["date"].text();
-  if (note.has("method")) read.calibration.method = note["method"].text();
-  if (note.has("rms_px")) read.calibration.rms_px = note["rms_px"].number();
+  if (root.has("calibration")) read.calibration = camera::readNote(root["calibration"]);
   return read;
 }
 
@@ -35,10 +31,7 @@ Expected<void, std::string> writeCameraFile(const std::filesystem::path& file, c
     const auto& lens = record.camera.intrinsics();
     out << "format: " << kFormat << "\nimage_size_px: [" << lens.width_px << ", " << lens.height_px << "]\n";
     camera::writeIntrinsics(out, lens, "");
-    out << "calibration:\n";
-    if (!record.calibration.date.empty()) out << "  date: \"" << record.calibration.date << "\"\n";
-    if (!record.calibration.method.empty()) out << "  method: \"" << record.calibration.method << "\"\n";
-    out << "  rms_px: " << record.calibration.rms_px << '\n';
+    camera::writeNote(out, record.calibration, camera::NoteOf::kOneCamera);
   });
 }
 

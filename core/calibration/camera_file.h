@@ -11,11 +11,12 @@ namespace mirrorarm::calibration {
 /// One camera's lens and where it came from.
 struct CameraRecord {
   camera::CameraModel camera;
-  camera::CalibrationNote calibration;  ///< date, method and rms_px
+  camera::CalibrationNote calibration;  ///< without what only a rig has
 };
 
 /// Reads `camera.yaml` (format mirrorarm/camera/1): image_size_px and the keys of a camera in rig.yaml.
-/// Refused with the line and key: what is unknown, missing, not finite or out of range.
+/// Refused with the line and key: what is unknown, missing, not finite or out of range. In the map
+/// `calibration` unknown keys are notes for people and pass.
 [[nodiscard]] FromFile<CameraRecord> readCameraFile(const std::filesystem::path& file);
 
 /// Writes it, whole or not at all.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/calibration/board_pose.h"
 #include "core/geometry/small_motion.h"
 
 namespace mirrorarm::calibration {
@@ -47,54 +48,81 @@ Eigen::Vector3d triangulate(const RigidTransform& X_RC, const Eigen::Vector3d& l
   return 0.5 * (depths[0] * left + X_CR * Eigen::Vector3d(depths[1] * right));
 }
 
-struct Sums {
-  double epipolar_squares = 0.0;
-  std::size_t distances = 0;
-  std::vector<double> lengths;  ///< measured over true, minus 1
-};
-
 using Points = std::vector<std::optional<Eigen::Vector3d>>;
 
-Points measurePoints(const camera::StereoRig& rig, const BoardView& view, std::size_t count, Sums& sums) {
-  const Eigen::Matrix3d E = essential(rig.X_RC);
-  Points points(count);
+/// Both images of one point on their planes z = 1.
+struct StraightPair {
+  std::size_t point;
+  Straight left, right;
+};
+
+std::vector<StraightPair> straightPairs(const camera::StereoRig& rig, const BoardView& view) {
+  std::vector<StraightPair> pairs;
   for (const auto& [seen_left, seen_right] : seenByBoth(view)) {
     const auto left = straight(rig.left, seen_left.pixel);
     const auto right = straight(rig.right, seen_right.pixel);
-    if (!left || !right) continue;
-    const double value = right->ray.dot(E * left->ray);
-    sums.epipolar_squares += std::pow(distance_px(value, E * left->ray, right->by_pixel), 2) +
-                             std::pow(distance_px(value, E.transpose() * right->ray, left->by_pixel), 2);
-    sums.distances += 2;
-    points[static_cast<std::size_t>(seen_left.point)] = triangulate(rig.X_RC, left->ray, right->ray);
+    if (left && right) pairs.push_back({static_cast<std::size_t>(seen_left.point), *left, *right});
   }
-  return points;
+  return pairs;
 }
 
-void measureLengths(const Points& points, const Board& board, std::span<const Eigen::Vector3d> truth,
-                    Sums& sums) {
-  for (const auto& [i, j] : boardNeighbours(board))
-    if (points[i] && points[j])
-      sums.lengths.push_back((*points[i] - *points[j]).norm() / (truth[i] - truth[j]).norm() - 1.0);
+double epipolarSquares(const Eigen::Matrix3d& E, const StraightPair& pair) {
+  const double value = pair.right.ray.dot(E * pair.left.ray);
+  return std::pow(distance_px(value, E * pair.left.ray, pair.right.by_pixel), 2) +
+         std::pow(distance_px(value, E.transpose() * pair.right.ray, pair.left.by_pixel), 2);
+}
+
+double rootOfMean(double squares, std::size_t count) {
+  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
 }
 
 }  // namespace
 
-HoldOut measureHoldOut(const camera::StereoRig& rig, const Board& board, std::span<const BoardView> views) {
-  Sums sums;
+void HoldOutMeter::addPoints(const camera::StereoRig& rig, const Board& board, const BoardView& centres,
+                             const RigidTransform& X_CM) {
   const auto truth = boardPoints(board);
-  for (const auto& view : views)
-    measureLengths(measurePoints(rig, view, truth.size(), sums), board, truth, sums);
+  const Eigen::Matrix3d E = essential(rig.X_RC);
+  Points points(truth.size());
+  for (const auto& pair : straightPairs(rig, centres)) {
+    epipolar_squares_ += epipolarSquares(E, pair);
+    epipolar_count_ += 2;
+    const Eigen::Vector3d p_C = triangulate(rig.X_RC, pair.left.ray, pair.right.ray);
+    depth_squares_ += std::pow(pair.left.ray.normalized().dot(p_C - X_CM * truth[pair.point]), 2);
+    ++depths_;
+    points[pair.point] = p_C;
+  }
+  for (const auto& [i, j] : boardNeighbours(board))
+    if (points[i] && points[j])
+      lengths_.push_back((*points[i] - *points[j]).norm() / (truth[i] - truth[j]).norm() - 1.0);
+}
+
+void HoldOutMeter::add(const camera::StereoRig& rig, const Board& board, const BoardView& view) {
+  const auto pose = poseBoard(rig, board, view);
+  if (!pose) return;
+  const std::size_t count = view.seen[0].size() + view.seen[1].size();
+  pixel_squares_ += pose->rms_px * pose->rms_px * static_cast<double>(count);
+  pixels_ += count;
+  ++views_;
+  if (!view.seen[1].empty()) addPoints(rig, board, pose->centres, pose->X_CM);
+}
+
+HoldOut HoldOutMeter::figures() const {
   HoldOut result;
-  result.views = views.size();
-  if (sums.distances == 0) return result;
-  result.epipolar_px = std::sqrt(sums.epipolar_squares / static_cast<double>(sums.distances));
-  if (sums.lengths.empty()) return result;
-  const Eigen::Map<const Eigen::ArrayXd> lengths(sums.lengths.data(),
-                                                 static_cast<Eigen::Index>(sums.lengths.size()));
+  result.views = views_;
+  result.reprojection_px = rootOfMean(pixel_squares_, pixels_);
+  result.epipolar_px = rootOfMean(epipolar_squares_, epipolar_count_);
+  result.depth_rms_m = rootOfMean(depth_squares_, depths_);
+  if (lengths_.empty()) return result;
+  const Eigen::Map<const Eigen::ArrayXd> lengths(lengths_.data(), static_cast<Eigen::Index>(lengths_.size()));
   result.square_mean_percent = 100.0 * lengths.mean();
   result.square_std_percent = 100.0 * std::sqrt((lengths - lengths.mean()).square().mean());
   return result;
+}
+
+HoldOut measureHoldOut(const camera::StereoRig& rig, const Board& board, std::span<const BoardView> views) {
+  HoldOutMeter meter;
+  for (const auto& view : views) meter.add(rig, board, view);
+  return meter.figures();
 }
 
 }  // namespace mirrorarm::calibration

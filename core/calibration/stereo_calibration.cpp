@@ -1,9 +1,17 @@
 #include "core/calibration/stereo_calibration.h"
 
+#include "core/calibration/board_shape.h"
+#include "core/calibration/record_note.h"
+#include "core/calibration/view_report.h"
+
 namespace mirrorarm::calibration {
 namespace {
 
-constexpr auto kMethod = "bundle adjustment of both cameras, their bar and the board's poses";
+constexpr auto kMethod = "robust bundle adjustment of both cameras, their bar and the board's poses";
+
+bool isKept(std::size_t view, std::size_t hold_out) {
+  return hold_out > 0 && view % hold_out == hold_out - 1;
+}
 
 struct Parts {
   std::vector<BoardView> solved;
@@ -13,38 +21,57 @@ struct Parts {
 Parts split(std::span<const BoardView> views, std::size_t hold_out) {
   Parts parts;
   for (std::size_t i = 0; i < views.size(); ++i)
-    (hold_out > 0 && i % hold_out == hold_out - 1 ? parts.kept : parts.solved).push_back(views[i]);
+    (isKept(i, hold_out) ? parts.kept : parts.solved).push_back(views[i]);
   return parts;
 }
 
-camera::StereoRig rigOf(const BundleFit& fit) {
-  camera::StereoRig rig;
-  rig.left = camera::CameraModel(fit.bundle.cameras[0]);
-  rig.right = camera::CameraModel(fit.bundle.cameras[1]);
-  rig.X_RC = fit.bundle.X_RC;
-  rig.calibration.method = kMethod;
-  rig.calibration.rms_px = fit.rms_px;
-  return rig;
+/// Figures of the views that the solution had, and of those kept out, in the order they were given.
+std::vector<ViewResidual> allResiduals(const ModelSolution& solution, const Board& board,
+                                       std::span<const BoardView> views, const Parts& parts,
+                                       std::size_t hold_out) {
+  const auto rig = rigOf(solution.solved.fit.bundle);
+  auto solved = residualsOf(solution, board, parts.solved);
+  std::vector<ViewResidual> all;
+  auto next = solved.begin();
+  for (std::size_t i = 0; i < views.size(); ++i)
+    all.push_back(isKept(i, hold_out) ? heldOutResidual(rig, board, views[i]) : std::move(*next++));
+  return all;
+}
+
+StereoCalibration resultOf(const ModelChoice& choice, const Board& board) {
+  const auto& fit = choice.best.solved.fit;
+  StereoCalibration result;
+  result.rig = rigOf(fit.bundle);
+  result.rms_px = fit.total_rms_px;
+  result.views = choice.best.solved.used.size();
+  result.lens_sigma = {lensSigmaOf(fit, 0), lensSigmaOf(fit, 1)};
+  result.bar_sigma = barSigmaOf(fit);
+  result.board_shape = boardShape(fit, boardPoints(board));
+  result.trials = choice.trials;
+  return result;
 }
 
 }  // namespace
 
-Expected<StereoCalibration, CalibrationError> calibrateStereo(const Board& board,
-                                                              std::span<const BoardView> views,
-                                                              ImageSize size, camera::LensModel model,
-                                                              std::size_t hold_out) {
+Expected<StereoCalibration, CalibrationRefusal> calibrateStereo(const Board& board,
+                                                                std::span<const BoardView> views,
+                                                                ImageSize size,
+                                                                std::optional<camera::LensModel> model,
+                                                                std::size_t hold_out) {
   const auto parts = split(views, hold_out);
-  if (hold_out > 0 && parts.kept.empty()) return unexpected(CalibrationError::kTooFewViews);
-  const auto solved = solveViews(board, parts.solved, size, model);
-  if (!solved) return unexpected(solved.error());
-  StereoCalibration result;
-  result.rig = rigOf(solved->fit);
-  result.rms_px = solved->fit.rms_px;
-  result.views = solved->used.size();
-  for (const auto i : solved->outliers) result.outliers.push_back(parts.solved[i].name);
-  if (parts.kept.empty()) return result;
-  result.hold_out = measureHoldOut(result.rig, board, parts.kept);
-  result.rig.calibration.hold_out_epipolar_px = result.hold_out->epipolar_px;
+  if (hold_out > 0 && parts.kept.empty())
+    return unexpected(CalibrationRefusal{CalibrationError::kTooFewViews, {}});
+  const auto crossing = parts.kept.empty() ? Crossing::kRequired : Crossing::kWherePossible;
+  const auto choice = chooseModel(board, parts.solved, size, model, CameraCount::kTwo, crossing);
+  if (!choice) return unexpected(choice.error());
+  auto result = resultOf(*choice, board);
+  result.outliers = outlierNames(choice->best.solved, parts.solved);
+  result.hold_out =
+      parts.kept.empty() ? choice->best.crossed->figures : measureHoldOut(result.rig, board, parts.kept);
+  result.residuals = allResiduals(choice->best, board, views, parts, hold_out);
+  result.rig.calibration = noteOf(kMethod, result.rms_px, result.residuals, *result.hold_out);
+  result.rig.calibration.lens_sigma = result.lens_sigma;
+  result.rig.calibration.bar_sigma = result.bar_sigma;
   return result;
 }
 

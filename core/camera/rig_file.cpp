@@ -1,6 +1,7 @@
 #include "core/camera/rig_file.h"
 
 #include "core/camera/camera_yaml.h"
+#include "core/camera/note_yaml.h"
 #include "core/common/atomic_file.h"
 #include "core/common/yaml.h"
 
@@ -20,19 +21,6 @@ RigidTransform readRightFromLeft(const YamlNode& node) {
   return makeTransform(node["rotation_xyzw"].quaternion(), translation.vector3());
 }
 
-CalibrationNote readNote(const YamlNode& node) {
-  CalibrationNote note;
-  const auto text = [&](std::string_view key) { return node.has(key) ? node[key].text() : std::string(); };
-  const auto number = [&](std::string_view key) { return node.has(key) ? node[key].number() : 0.0; };
-  note.date = text("date");
-  note.method = text("method");
-  note.rms_px = number("rms_px");
-  note.hold_out_epipolar_px = number("hold_out_epipolar_px");
-  note.left_serial = text("left_serial");
-  note.right_serial = text("right_serial");
-  return note;
-}
-
 StereoRig readRoot(const YamlNode& root) {
   root.allowOnly({"format", "image_size_px", "left", "right", "right_from_left", "calibration"});
   const auto size = readImageSize(root["image_size_px"]);
@@ -48,25 +36,6 @@ template <class Numbers>
 void writeList(std::ostream& out, const Numbers& numbers, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) out << (i == 0 ? "[" : ", ") << numbers[i];
   out << "]\n";
-}
-
-void writeText(std::ostream& out, std::string_view key, std::string_view text) {
-  if (text.empty()) return;
-  out << "  " << key << ": \"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out << '\\';
-    out << (static_cast<unsigned char>(c) < ' ' ? ' ' : c);
-  }
-  out << "\"\n";
-}
-
-void writeNote(std::ostream& out, const CalibrationNote& note) {
-  out << "calibration:\n  rms_px: " << note.rms_px
-      << "\n  hold_out_epipolar_px: " << note.hold_out_epipolar_px << "\n";
-  writeText(out, "date", note.date);
-  writeText(out, "method", note.method);
-  writeText(out, "left_serial", note.left_serial);
-  writeText(out, "right_serial", note.right_serial);
 }
 
 }  // namespace
@@ -85,7 +54,7 @@ Expected<void, std::string> writeRig(const std::filesystem::path& file, const St
     writeList(out, rotationOf(rig.X_RC).coeffs(), 4);
     out << "  translation_m: ";
     writeList(out, rig.X_RC.translation(), 3);
-    writeNote(out, rig.calibration);
+    writeNote(out, rig.calibration, NoteOf::kRig);
   });
 }
 

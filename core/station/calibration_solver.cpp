@@ -7,10 +7,6 @@
 namespace mirrorarm::station {
 namespace {
 
-using camera::LensModel;
-
-constexpr std::size_t kHoldOutEvery = 4;
-constexpr std::size_t kViewsForHoldOut = 8;  ///< with fewer, all are needed to solve
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 SolveAnswer refused(const SolveQuestion& question, std::string_view reason) {
@@ -21,36 +17,9 @@ SolveAnswer solved(CalibrationOutcome outcome, TakenViews::List views) {
   return {std::make_shared<const CalibrationOutcome>(std::move(outcome)), {}, std::move(views)};
 }
 
-using StereoTry = Expected<calibration::StereoCalibration, calibration::CalibrationError>;
-
-double misfit(const calibration::StereoCalibration& result) {
-  return result.hold_out ? result.hold_out->epipolar_px : result.rms_px;
-}
-
-/// The model asked for, or the better of both.
-StereoTry calibrateRig(const SolveQuestion& question, std::span<const calibration::BoardView> views,
-                       std::atomic<double>& progress) {
-  const std::size_t hold_out = views.size() >= kViewsForHoldOut ? kHoldOutEvery : 0;
-  const auto attempt = [&](LensModel model) {
-    return calibration::calibrateStereo(question.board, views, question.size, model, hold_out);
-  };
-  if (question.model) return attempt(*question.model);
-  auto pinhole = attempt(LensModel::kBrownConrady);
-  progress = 0.45;
-  auto fisheye = attempt(LensModel::kKannalaBrandt);
-  if (!pinhole) return fisheye;
-  if (!fisheye) return pinhole;
-  const std::vector<calibration::ModelTrial> trials = {
-      {LensModel::kBrownConrady, pinhole->rms_px, misfit(*pinhole)},
-      {LensModel::kKannalaBrandt, fisheye->rms_px, misfit(*fisheye)}};
-  auto& better = misfit(*fisheye) < misfit(*pinhole) ? fisheye : pinhole;
-  better->trials = trials;
-  return better;
-}
-
 SolveAnswer solveStereo(const SolveQuestion& question, std::atomic<double>& progress) {
   const auto views = boardViewsOf(*question.views);
-  auto result = calibrateRig(question, views, progress);
+  auto result = calibration::calibrateStereo(question.board, views, question.size, question.model);
   if (!result) return refused(question, calibration::reason(result.error()));
   progress = 0.9;
   auto list = *question.views;

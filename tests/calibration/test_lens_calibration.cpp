@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/calibration/camera_calibration.h"
 #include "core/calibration/stereo_calibration.h"
 #include "tests/calibration/board_views.h"
 
@@ -52,7 +53,10 @@ TEST_P(LensCalibration, WithoutNoiseTheRigIsExact) {
   EXPECT_LT((found->rig.X_RC.translation() - maker_.rig.X_RC.translation()).norm(), 1e-6);
   EXPECT_LT(angleBetween(found->rig.X_RC, maker_.rig.X_RC), 1e-6);
   EXPECT_LT(worstDisagreement_px(maker_.rig.left, found->rig.left), 0.01);
-  EXPECT_FALSE(found->hold_out);
+  ASSERT_TRUE(found->hold_out);
+  EXPECT_EQ(found->hold_out->parts, 3u);
+  EXPECT_EQ(found->hold_out->views, 10u);
+  EXPECT_LT(found->hold_out->epipolar_px, 1e-4);
 }
 
 TEST_P(LensCalibration, TheMisfitIsTheNoiseAndTheBarComesOut) {
@@ -96,10 +100,11 @@ TEST_P(LensCalibration, AViewThatMovedBetweenTheCamerasIsNamed) {
 TEST_P(LensCalibration, TooFewOrTooAlikeViewsAreRefused) {
   maker_.noise_px = kNoise_px;
   const auto two = maker_.views(2);
-  EXPECT_EQ(calibrateStereo(maker_.board, two, kSize, GetParam()).error(), CalibrationError::kTooFewViews);
-  EXPECT_EQ(calibrateStereo(maker_.board, maker_.views(4), kSize, GetParam(), 2).error(),
+  EXPECT_EQ(calibrateStereo(maker_.board, two, kSize, GetParam()).error().error,
             CalibrationError::kTooFewViews);
-  EXPECT_EQ(calibrateStereo(maker_.board, maker_.views(4), kSize, GetParam(), 9).error(),
+  EXPECT_EQ(calibrateStereo(maker_.board, maker_.views(4), kSize, GetParam(), 2).error().error,
+            CalibrationError::kTooFewViews);
+  EXPECT_EQ(calibrateStereo(maker_.board, maker_.views(4), kSize, GetParam(), 9).error().error,
             CalibrationError::kTooFewViews);
   const std::vector<BoardView> one_again(4, flatView());
   const auto found = calibrateStereo(maker_.board, one_again, kSize, GetParam());
@@ -111,8 +116,9 @@ TEST_P(LensCalibration, AnotherBoardThanTheRealOneIsRefused) {
   const Board turned{BoardKind::kChessboard, 6, 9, 0.025};
   const auto found = calibrateStereo(turned, views, kSize, GetParam());
   ASSERT_FALSE(found);
-  EXPECT_TRUE(found.error() == CalibrationError::kMisfit || found.error() == CalibrationError::kNotSolved ||
-              found.error() == CalibrationError::kViewsTooAlike);
+  const auto error = found.error().error;
+  EXPECT_TRUE(error == CalibrationError::kMisfit || error == CalibrationError::kNotSolved ||
+              error == CalibrationError::kViewsTooAlike);
 }
 
 }  // namespace
