@@ -47,6 +47,8 @@ struct ViewMaker {
   Board board{BoardKind::kChessboard, 9, 6, 0.025};
   double noise_px = 0.0;
   double disc_radius_m = 0.0;  ///< the points are discs, seen by the centres of their outlines; 0: corners
+  double bow_m = 0.0;          ///< height of the real board's middle over its ends, along the rows
+  double stretch = 0.0;        ///< of the real board's steps along the rows against those across
   bool tells_sigma = false;    ///< the sightings carry the noise as their standard deviation
   double reach = 0.6;          ///< how far the board goes aside, as a share of its distance
   std::mt19937 random{3};
@@ -63,6 +65,18 @@ struct ViewMaker {
     return makeTransform(
         tilt, Eigen::Vector3d(z * between(-reach, reach) + 0.06, 0.7 * z * between(-reach, reach), z) -
                   tilt * middle);
+  }
+
+  /// The points where they really are.
+  std::vector<Eigen::Vector3d> realPoints() const {
+    auto points = boardPoints(board);
+    const double length = board.spacing_m * (board.columns - 1);
+    for (auto& p : points) {
+      const double from_middle = 2.0 * p.x() / length - 1.0;
+      p = {p.x() * (1.0 + 0.5 * stretch), p.y() * (1.0 - 0.5 * stretch),
+           bow_m * (1.0 - from_middle * from_middle)};
+    }
+    return points;
   }
 
   /// What an image without noise shows of one point.
@@ -84,7 +98,7 @@ struct ViewMaker {
 
   bool see(const camera::CameraModel& camera, const RigidTransform& X_KM, Sighting& sighting) {
     std::normal_distribution<double> noise(0.0, 1.0);
-    for (const auto& p_M : boardPoints(board)) {
+    for (const auto& p_M : realPoints()) {
       auto seen = imageOf(camera, X_KM, p_M);
       if (!seen || !camera.sees(seen->pixel, 2.0)) return false;
       seen->point = static_cast<int>(sighting.size());

@@ -75,6 +75,41 @@ TEST_F(RigFile, ComesBackAsWritten) {
   EXPECT_EQ(back->calibration.date, "2024-03-01");
 }
 
+TEST_F(RigFile, TheWholeRecordComesBack) {
+  auto rig = *readRig(write(kRig));
+  auto& note = rig.calibration;
+  note.software = "mirrorarm 1";
+  note.board = "dots:9x7:0.03";
+  note.images = {"left 1.png", "left\\2 \"x\".png"};
+  note.held_out = {"left3.png"};
+  note.outliers = {"left4.png"};
+  note.hold_out_method = "cross-validation in 3 parts";
+  note.hold_out_px = 0.02;
+  note.square_mean_percent = -0.01;
+  note.square_std_percent = 0.05;
+  note.depth_rms_m = 4e-5;
+  note.lens_sigma[0] = {0.1, 0.2, 0.3, 0.4, {1e-4, 2e-5, 0.0, 0.0, 0.0}};
+  note.lens_sigma[1].fx_px = 0.5;
+  note.bar_sigma << 1e-5, 2e-5, 3e-5, 4e-6, 5e-6, 6e-6;
+  ASSERT_TRUE(writeRig(file_, rig));
+  const auto read = readRig(file_);
+  ASSERT_TRUE(read) << describe(read.error());
+  const auto& back = read->calibration;
+  EXPECT_EQ(back.software, note.software);
+  EXPECT_EQ(back.board, note.board);
+  EXPECT_EQ(back.images, note.images);
+  EXPECT_EQ(back.held_out, note.held_out);
+  EXPECT_EQ(back.outliers, note.outliers);
+  EXPECT_EQ(back.hold_out_method, note.hold_out_method);
+  EXPECT_EQ(back.hold_out_px, 0.02);
+  EXPECT_EQ(back.square_mean_percent, -0.01);
+  EXPECT_EQ(back.square_std_percent, 0.05);
+  EXPECT_EQ(back.depth_rms_m, 4e-5);
+  EXPECT_EQ(back.lens_sigma[0].distortion, note.lens_sigma[0].distortion);
+  EXPECT_EQ(back.lens_sigma[1].fx_px, 0.5);
+  EXPECT_TRUE(back.bar_sigma.isApprox(note.bar_sigma, 1e-9));
+}
+
 TEST_F(RigFile, RefusalsNameLineAndKey) {
   const auto wrong = readWith("fy_px: 719.4", "fy_px: .nan");
   ASSERT_FALSE(wrong);
