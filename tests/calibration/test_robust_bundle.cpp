@@ -37,12 +37,12 @@ Eigen::VectorXd errorOf(const Bundle& found, const camera::StereoRig& truth) {
 }
 
 TEST(RobustBundle, TruthLiesWithinTheCovariance) {
-  constexpr int kRuns = 6;
+  constexpr int kRuns = 4;
   double squares = 0.0;
   for (unsigned run = 0; run < kRuns; ++run) {
     auto maker = discMaker(run);
     const auto solved =
-        solveViews(maker.board, maker.views(30), kSize, LensModel::kKannalaBrandt, CameraCount::kTwo);
+        solveViews(maker.board, maker.views(16), kSize, LensModel::kKannalaBrandt, CameraCount::kTwo);
     ASSERT_TRUE(solved);
     ASSERT_TRUE(solved->fit.covariance);
     EXPECT_NEAR(solved->fit.total_rms_px, kNoise_px * std::sqrt(2.0), 0.1 * kNoise_px);
@@ -50,8 +50,8 @@ TEST(RobustBundle, TruthLiesWithinTheCovariance) {
     const auto error = errorOf(solved->fit.bundle, maker.rig);
     squares += error.dot(solved->fit.covariance->ldlt().solve(error)) / kRuns;
   }
-  EXPECT_GT(squares, 22.0 - 8.0);  // chi squared of 22, its mean over the runs to 2.7
-  EXPECT_LT(squares, 22.0 + 8.0);
+  EXPECT_GT(squares, 22.0 - 10.0);  // chi squared of 22, its mean over the runs to 3.3
+  EXPECT_LT(squares, 22.0 + 10.0);
 }
 
 /// Mean error of points all over the paper's cuboid, measured by `found` where `truth` sees them [m].
@@ -81,7 +81,7 @@ TEST(RobustBundle, DiscsGiveTheRigToHundredthsOfAMillimetre) {
   EXPECT_EQ(found->trials.size(), 2u);
   EXPECT_LT(found->rms_px, 0.03);
   EXPECT_LT(found->hold_out->epipolar_px, 0.03);
-  EXPECT_LT(found->hold_out->depth_rms_m, 1e-4);
+  EXPECT_LT(found->hold_out->depth_rms_m, 2.5e-4);  // boards to 0.6 m and far aside
   EXPECT_LT(biasOver(maker.rig, found->rig).norm(), 3e-5);
   ASSERT_TRUE(found->board_shape);
   EXPECT_FALSE(found->board_shape->is_bent);
@@ -125,7 +125,7 @@ TEST(BoardShape, ABentBoardIsNoticed) {
   ASSERT_TRUE(found);
   ASSERT_TRUE(found->board_shape);
   EXPECT_TRUE(found->board_shape->is_bent);
-  EXPECT_NEAR(found->board_shape->flatness_rms_m, 0.00025, 0.00004);  // a parabola's rms is 0.3 of its height
+  EXPECT_NEAR(found->board_shape->flatness_rms_m, 0.366 * maker.bow_m, 2e-5);  // a parabola of nine columns
   EXPECT_FALSE(found->board_shape->is_stretched);
 }
 
