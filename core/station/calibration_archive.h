@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/calibration/calibration_folder.h"
+#include "core/calibration/pose_pairs.h"
 #include "core/camera/stereo_frame.h"
 
 namespace mirrorarm::station {
@@ -22,12 +23,15 @@ class CalibrationArchive {
   /// Keeps both images of a view as left_<name>.png and right_<name>.png. The error is the reason.
   [[nodiscard]] Expected<void, std::string> keep(const std::string& name, const camera::StereoFrame& frame);
 
-  /// Writes the record with the images but for those of the views called `removed`, and puts it in force.
-  /// Gives the record's name; the error is the reason.
+  /// Writes the record with the images but for those of the views called `removed`, and with pose_pairs.csv
+  /// where there are any, and puts it in force. Gives the record's name; the error is the reason.
   [[nodiscard]] Expected<std::string, std::string> accept(const calibration::CalibrationRecord& record,
-                                                          std::span<const std::string> removed);
+                                                          std::span<const std::string> removed,
+                                                          std::span<const calibration::PosePair> pairs);
 
  private:
+  [[nodiscard]] Expected<void, std::string> needWorkFolder();
+  [[nodiscard]] Expected<void, std::string> dropImages(std::span<const std::string> removed) const;
   calibration::CalibrationFolder folder_;
   std::filesystem::path work_folder_;  ///< empty before the first image and once it belongs to a record
 };

@@ -38,9 +38,9 @@ enum class CalibrationAction : std::uint8_t {
 struct CalibrationCommand {
   CalibrationAction action = CalibrationAction::kBegin;
   CalibrationJob job = CalibrationJob::kStereo;
-  calibration::Board board;
-  std::optional<camera::LensModel> model;  ///< nothing: chosen by the error on views kept out
-  std::size_t view = 0;                    ///< index into CalibrationSnapshot::views
+  calibration::Board board{};
+  std::optional<camera::LensModel> model{};  ///< nothing: chosen by the error on views kept out
+  std::size_t view = 0;                      ///< index into CalibrationSnapshot::views
   bool on = false;
 };
 

@@ -144,6 +144,7 @@ void CalibrationControl::take(const SolveAnswer& solved) {
   state_.phase = solved.outcome ? Phase::kSolved : Phase::kRefused;
   state_.outcome = solved.outcome;
   state_.refusal = solved.refusal;
+  pairs_ = solved.pairs;
   if (!solved.views.empty()) views_.setFindings(solved.views);
 }
 
@@ -202,8 +203,8 @@ CalibrationAnswer CalibrationControl::begin(const CalibrationCommand& command) {
   const bool needs_robot = command.job == CalibrationJob::kHandEye || command.job == CalibrationJob::kClock;
   if (!isBoard(command.board)) return Answer::kNoBoard;
   if (needs_robot && servo_ == nullptr) return Answer::kNoRobot;
-  cancel();
   if (command.job != CalibrationJob::kStereo && !known_.rig_in_force) return Answer::kNoCalibration;
+  cancel();
   state_.phase = Phase::kCapturing;
   state_.job = command.job;
   state_.board = command.board;
@@ -229,6 +230,7 @@ CalibrationAnswer CalibrationControl::setDriving(bool on) {
     guidance_.stopDriving();
     return Answer::kAccepted;
   }
+  if (guidance_.isDriving()) return Answer::kAccepted;
   if (state_.servo.stop != control::StopReason::kNone) return Answer::kStopLatched;
   if (servo_ == nullptr || state_.servo.measured.q_rad.size() == 0 || !state_.servo.at_rest)
     return Answer::kNoRobot;
@@ -269,7 +271,7 @@ CalibrationAnswer CalibrationControl::solve() {
 }
 
 CalibrationAnswer CalibrationControl::accept() {
-  jobs_.accept(state_.outcome, views_.removedNames());
+  jobs_.accept(state_.outcome, views_.removedNames(), pairs_);
   writing_ = true;
   return Answer::kAccepted;
 }
@@ -321,7 +323,8 @@ void CalibrationControl::updateCoverage() {
   for (const auto& taken : *views_.list())
     if (taken.X_CM) X_CM.push_back(*taken.X_CM);
   if (X_CM.size() != views_.size()) X_CM.clear();
-  state_.coverage = calibration::coverageOf(boardViewsOf(*views_.list()), X_CM, imageSize());
+  state_.coverage = calibration::coverageOf(boardViewsOf(*views_.list()), X_CM, imageSize(), {},
+                                            calibration::boardMiddle(state_.board));
 }
 
 calibration::ImageSize CalibrationControl::imageSize() const {

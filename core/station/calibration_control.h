@@ -91,9 +91,10 @@ class CalibrationControl {
   std::optional<camera::StereoRig> rig_;  ///< known, or in a stereo job from the views so far
   TakenViews views_;
   MotionStreams streams_;
-  std::uint64_t watch_ = 0;             ///< version of what the vision thread looks for
-  std::optional<RigidTransform> X_BF_;  ///< at the exposure of the newest report
-  std::optional<RigidTransform> X_BM_;  ///< where the board stood when it was last seen at rest
+  std::vector<calibration::PosePair> pairs_;  ///< behind a hand-eye outcome
+  std::uint64_t watch_ = 0;                   ///< version of what the vision thread looks for
+  std::optional<RigidTransform> X_BF_;        ///< at the exposure of the newest report
+  std::optional<RigidTransform> X_BM_;        ///< where the board stood when it was last seen at rest
   bool writing_ = false;
   control::StopReason noted_stop_ = control::StopReason::kNone;
 };

@@ -13,15 +13,19 @@ namespace {
 void complain(const std::string& what) { log(LogLevel::kError, "calibration: " + what); }
 
 /// The answer of work that failed in a way nobody foresaw: the job goes on as after a refusal.
-ViewProposal failed(const ViewProposal&, const std::exception&) { return {}; }
+ViewProposal failed(const ViewProposal&, const std::exception& failure) {
+  complain(failure.what());
+  return {};
+}
 SolveAnswer failed(const SolveAnswer&, const std::exception& failure) {
-  return {nullptr, failure.what(), {}};
+  return {nullptr, failure.what(), {}, {}};
 }
 WriteAnswer failed(const WriteAnswer&, const std::exception& failure) { return {{}, failure.what(), {}}; }
 
 WriteAnswer write(CalibrationArchive& archive, const CalibrationOutcome& outcome,
-                  std::span<const std::string> removed, const std::filesystem::path& folder) {
-  auto record = archive.accept(recordOf(outcome, isoUtcNow()), removed);
+                  std::span<const std::string> removed, std::span<const calibration::PosePair> pairs,
+                  const std::filesystem::path& folder) {
+  auto record = archive.accept(recordOf(outcome, isoUtcNow()), removed, pairs);
   if (!record) return {{}, record.error(), {}};
   auto in_force = calibration::CalibrationFolder(folder).read();
   if (!in_force) return {{}, describe(in_force.error()), {}};
@@ -47,7 +51,6 @@ void CalibrationJobs::ask(std::uint64_t version, Work work) {
     try {
       answer.value = work(*shared);
     } catch (const std::exception& failure) {
-      complain(failure.what());
       answer.value = failed(Given{}, failure);
     }
     const std::lock_guard lock(shared->mutex);
@@ -74,9 +77,12 @@ void CalibrationJobs::solve(SolveQuestion question, std::uint64_t version) {
 }
 
 void CalibrationJobs::accept(std::shared_ptr<const CalibrationOutcome> outcome,
-                             std::vector<std::string> removed_views) {
-  ask(0, [archive = archive_, outcome = std::move(outcome), removed = std::move(removed_views)](
-             Shared& shared) { return write(*archive, *outcome, removed, shared.settings.folder); });
+                             std::vector<std::string> removed_views,
+                             std::vector<calibration::PosePair> pairs) {
+  ask(0, [archive = archive_, outcome = std::move(outcome), removed = std::move(removed_views),
+          pairs = std::move(pairs)](Shared& shared) {
+    return write(*archive, *outcome, removed, pairs, shared.settings.folder);
+  });
 }
 
 void CalibrationJobs::keepBlackBox(std::shared_ptr<const std::vector<control::ServoState>> states,

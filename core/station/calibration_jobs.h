@@ -41,7 +41,8 @@ class CalibrationJobs {
   void keepImages(std::string name, camera::StereoFrame frame);
   void propose(ViewQuestion question, std::uint64_t version);
   void solve(SolveQuestion question, std::uint64_t version);
-  void accept(std::shared_ptr<const CalibrationOutcome> outcome, std::vector<std::string> removed_views);
+  void accept(std::shared_ptr<const CalibrationOutcome> outcome, std::vector<std::string> removed_views,
+              std::vector<calibration::PosePair> pairs);
   void keepBlackBox(std::shared_ptr<const std::vector<control::ServoState>> states,
                     control::StopReason reason);
 

@@ -16,13 +16,15 @@ namespace mirrorarm::station {
 
 /// How a calibration works. Defaults are the paper's where it names a figure.
 struct CalibrationSettings {
-  std::filesystem::path folder;  ///< of the calibrations; empty: nothing is in force, nothing can be accepted
-  std::filesystem::path black_box_folder;  ///< where a stop leaves its last seconds; empty: nowhere
+  std::filesystem::path
+      folder{};  ///< of the calibrations; empty: nothing is in force, nothing can be accepted
+  std::filesystem::path black_box_folder{};  ///< where a stop leaves its last seconds; empty: nowhere
 
-  calibration::CaptureSettings capture;
-  calibration::DriftLimits drift_limits;
-  control::SupervisorSettings supervisor;
-  robot::PlannerSettings planner;
+  /// Towards the rim of a wide lens only a part of a plate sends enough light back.
+  calibration::CaptureSettings capture{.least_share = 0.3};
+  calibration::DriftLimits drift_limits{};
+  control::SupervisorSettings supervisor{};
+  robot::PlannerSettings planner{};
   std::string limits_profile = "therapy";
   double table_height_m = 0.0;  ///< the robot's base stands on it: its top in B
 

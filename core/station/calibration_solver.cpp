@@ -10,11 +10,11 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 SolveAnswer refused(const SolveQuestion& question, std::string_view reason) {
-  return {nullptr, std::string(reason), *question.views};
+  return {nullptr, std::string(reason), *question.views, {}};
 }
 
 SolveAnswer solved(CalibrationOutcome outcome, TakenViews::List views) {
-  return {std::make_shared<const CalibrationOutcome>(std::move(outcome)), {}, std::move(views)};
+  return {std::make_shared<const CalibrationOutcome>(std::move(outcome)), {}, std::move(views), {}};
 }
 
 SolveAnswer solveStereo(const SolveQuestion& question, std::atomic<double>& progress) {
@@ -57,7 +57,9 @@ SolveAnswer solveHandEye(const SolveQuestion& question) {
     outcome.shift_mm = 1e3 * (outcome.result.X_PC.translation() - X_FC.translation()).norm();
     outcome.turn_deg = kDegrees * angleBetween(outcome.result.X_PC, X_FC);
   }
-  return solved(std::move(outcome), std::move(list));
+  auto answer = solved(std::move(outcome), std::move(list));
+  answer.pairs = std::move(pairs);
+  return answer;
 }
 
 SolveAnswer solveClock(const SolveQuestion& question) {

@@ -30,6 +30,7 @@ struct SolveAnswer {
   std::shared_ptr<const CalibrationOutcome> outcome;  ///< nullptr: refused
   std::string refusal;                                ///< one line: what is wrong and the remedy
   TakenViews::List views;                             ///< those of the question, with their residuals
+  std::vector<calibration::PosePair> pairs;           ///< hand-eye: what it was solved from
 };
 
 /// `progress` rises to 1.

@@ -8,7 +8,7 @@ namespace {
 using State = ViewDrive::State;
 
 /// Enough for the robot to calm down and for a few frames.
-constexpr Seconds kPatience{3.0};
+constexpr Seconds kPatience{2.0};
 constexpr int kMostMisses = 5;
 /// A path is clear from where it was planned from.
 constexpr double kSamePlace_rad = 0.005;

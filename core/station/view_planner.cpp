@@ -49,10 +49,14 @@ bool ViewPlanner::isWithinLimits(const robot::Joints& q) const {
 std::optional<robot::Joints> ViewPlanner::joints(const RigidTransform& X_CM,
                                                  std::span<const robot::Joints> seeds) const {
   const RigidTransform X_BF = X_BM_ * X_CM.inverse() * X_FC_.inverse();
-  for (const auto& seed : seeds)
-    if (const auto q = kinematics_.inverse(X_BF, seed); q && isWithinLimits(*q) && !planner_.collides(*q))
-      return q;
-  return std::nullopt;
+  std::optional<robot::Joints> nearest;
+  const auto way = [&](const robot::Joints& q) { return (q - seeds.back()).cwiseAbs().maxCoeff(); };
+  for (const auto& seed : seeds) {
+    const auto q = kinematics_.inverse(X_BF, seed);
+    if (!q || !isWithinLimits(*q) || planner_.collides(*q)) continue;
+    if (!nearest || way(*q) < way(*nearest)) nearest = q;
+  }
+  return nearest;
 }
 
 std::optional<std::vector<robot::Joints>> ViewPlanner::path(const robot::Joints& from,

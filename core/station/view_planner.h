@@ -39,7 +39,8 @@ class ViewPlanner {
  public:
   ViewPlanner(const PlannedArm& arm, const BoardPlace& place);
 
-  /// Joints near `seeds`, the first that lead there, within the limits and touching nothing.
+  /// Joints that lead there from one of `seeds`, within the limits and touching nothing: of several those
+  /// nearest to the last seed.
   [[nodiscard]] std::optional<robot::Joints> joints(const RigidTransform& X_CM,
                                                     std::span<const robot::Joints> seeds) const;
   /// Way points after `from`, `to` the last; nothing where no path is clear.

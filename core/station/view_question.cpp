@@ -102,7 +102,7 @@ class Proposer {
     return !avoided && (!planner_ || planner_->joints(X_CM, seeds()));
   }
 
-  /// From home first: the arm then does not wander from view to view into its limits.
+  /// From home too, should the arm have wandered into its limits from view to view.
   [[nodiscard]] std::array<robot::Joints, 2> seeds() const {
     return {question_.robot->home, question_.robot->at};
   }

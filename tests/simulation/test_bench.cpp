@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/simulation/bench.h"
+#include "core/simulation/bench_layout.h"
 
 namespace mirrorarm::simulation {
 namespace {
@@ -172,6 +173,35 @@ TEST_F(BenchTest, RefusesWhatItCannotBuildOn) {
   settings_.resources = RESOURCES;
   settings_.motion = "/nowhere/markers.trc";
   EXPECT_EQ(Bench::make(settings_, time_).error().file, settings_.motion);
+}
+
+TEST_F(BenchTest, APlateStandsInPlaceOfThePatient) {
+  Disc disc;
+  disc.normal_B = -Eigen::Vector3d::UnitZ();
+  disc.diameter_m = 0.012;
+  settings_.plate = Plate{{patchOf(disc)}, bench_layout::plateX_BP()};
+  const auto bench = make();
+  const auto frame = run(*bench, 0.2);
+  ASSERT_TRUE(frame);
+  const auto truth = bench->truthAt(frame->exposed_at);
+  EXPECT_TRUE(truth.discs.empty());
+  const Eigen::Vector3d p_C = (truth.X_BF * bench->X_FC()).inverse() * settings_.plate->X_BM.translation();
+  EXPECT_GT(brightnessAt(frame->left, *bench->rig().left.project(p_C)), 100.0);
+  EXPECT_GT(brightnessAt(frame->right, *bench->rig().right.project(bench->rig().X_RC * p_C)), 100.0);
+  bench->hideTarget(true);
+  const auto without = run(*bench, 0.2);
+  ASSERT_TRUE(without);
+  EXPECT_LT(brightnessAt(without->left, *bench->rig().left.project(p_C)), 50.0);
+}
+
+TEST_F(BenchTest, ACameraClockMayRunAhead) {
+  const auto right = run(*make(), 0.2);
+  time_.set(fromNanoseconds(1'000'000'000));
+  settings_.camera_clock_ahead = Seconds(0.007);
+  const auto ahead = run(*make(), 0.2);
+  ASSERT_TRUE(right && ahead);
+  EXPECT_EQ(ahead->sequence, right->sequence);
+  EXPECT_NEAR(secondsBetween(right->exposed_at, ahead->exposed_at), 0.007, 1e-6);
 }
 
 }  // namespace
