@@ -29,7 +29,6 @@ void run(const Wish& wish, Context& context) {
   if (!solved) refuseViews(wish.images, solved.error(), images);
   calibration::CameraRecord record{solved->camera, solved->note};
   record.calibration.date = isoUtcNow();
-  record.calibration.board = wish.board;
   record.calibration.left_serial = wish.serial;
   orFail(writeCameraFile(wish.out, record));
   const auto report = reportOf(*solved);

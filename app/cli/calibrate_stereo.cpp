@@ -40,7 +40,6 @@ nlohmann::ordered_json sigmaOf(const StereoCalibration& solved) {
 
 void complete(const Wish& wish, camera::CalibrationNote& note) {
   note.date = isoUtcNow();
-  note.board = wish.board;
   note.left_serial = wish.left_serial;
   note.right_serial = wish.right_serial;
 }

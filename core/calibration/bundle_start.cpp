@@ -13,6 +13,8 @@ namespace {
 
 /// Horizontal angles of view to start from [rad]: from a long lens to a fisheye.
 constexpr std::array<double, 5> kAngles_rad = {0.5, 0.9, 1.3, 1.8, 2.6};
+/// So many steps tell which of them leads to the best.
+constexpr int kTrialSteps = 25;
 
 camera::Intrinsics plainLens(ImageSize size, camera::LensModel model, double angle_rad) {
   camera::Intrinsics lens;
@@ -70,7 +72,7 @@ Expected<Bundle, CalibrationRefusal> startCamera(const Board& board, std::span<c
   for (const double angle_rad : kAngles_rad) {
     const auto start = posedUnder(plainLens(size, model, angle_rad), points, alone);
     if (!start) continue;
-    auto adjusted = adjustBundle(*start, points, alone);
+    auto adjusted = adjustBundle(*start, points, alone, {0.0, kTrialSteps});
     if (adjusted && (!best || adjusted->squares < best->squares)) best = std::move(adjusted);
   }
   if (!best) return unexpected(CalibrationRefusal{CalibrationError::kNotSolved, {}});

@@ -35,7 +35,7 @@ Expected<CameraCalibration, CalibrationRefusal> calibrateCamera(const Board& boa
   result.sigma = lensSigmaOf(solved.fit, 0);
   result.board_shape = boardShape(solved.fit, boardPoints(board));
   result.trials = choice->trials;
-  result.note = noteOf(kMethod, result.rms_px, result.residuals, result.hold_out);
+  result.note = noteOf(kMethod, board, result.rms_px, result.residuals, result.hold_out);
   result.note.lens_sigma[0] = result.sigma;
   return result;
 }

@@ -15,7 +15,7 @@ namespace mirrorarm::calibration {
 
 struct CameraCalibration {
   camera::CameraModel camera;
-  camera::CalibrationNote note;         ///< the date, the board and the serial numbers left empty
+  camera::CalibrationNote note;         ///< date and serial numbers left empty
   double rms_px = 0.0;                  ///< distance of a point from its projection
   std::size_t views = 0;                ///< behind the fit
   std::vector<std::string> outliers;    ///< names of the views left out

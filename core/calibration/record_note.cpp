@@ -1,12 +1,39 @@
 #include "core/calibration/record_note.h"
 
-namespace mirrorarm::calibration {
+#include <sstream>
+#include <string_view>
 
-camera::CalibrationNote noteOf(const std::string& method, double rms_px, std::span<const ViewResidual> views,
-                               const HoldOut& hold_out) {
+namespace mirrorarm::calibration {
+namespace {
+
+std::string_view name(BoardKind kind) {
+  switch (kind) {
+    case BoardKind::kChessboard:
+      return "chessboard";
+    case BoardKind::kCircles:
+      return "circles";
+    case BoardKind::kAsymmetricCircles:
+      return "asymmetric-circles";
+    case BoardKind::kDotPlate:
+      return "dots";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string textOf(const Board& board) {
+  std::ostringstream text;
+  text << name(board.kind) << ':' << board.columns << 'x' << board.rows << ':' << board.spacing_m;
+  return text.str();
+}
+
+camera::CalibrationNote noteOf(const std::string& method, const Board& board, double rms_px,
+                               std::span<const ViewResidual> views, const HoldOut& hold_out) {
   camera::CalibrationNote note;
   note.method = method;
   note.software = "mirrorarm " MIRRORARM_VERSION;
+  note.board = textOf(board);
   note.rms_px = rms_px;
   for (const auto& view : views)
     (view.is_outlier ? note.outliers : view.is_held_out ? note.held_out : note.images).push_back(view.name);

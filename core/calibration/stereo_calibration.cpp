@@ -69,7 +69,7 @@ Expected<StereoCalibration, CalibrationRefusal> calibrateStereo(const Board& boa
   result.hold_out =
       parts.kept.empty() ? choice->best.crossed->figures : measureHoldOut(result.rig, board, parts.kept);
   result.residuals = allResiduals(choice->best, board, views, parts, hold_out);
-  result.rig.calibration = noteOf(kMethod, result.rms_px, result.residuals, *result.hold_out);
+  result.rig.calibration = noteOf(kMethod, board, result.rms_px, result.residuals, *result.hold_out);
   result.rig.calibration.lens_sigma = result.lens_sigma;
   result.rig.calibration.bar_sigma = result.bar_sigma;
   return result;

@@ -17,9 +17,9 @@
 namespace mirrorarm::calibration {
 
 struct StereoCalibration {
-  camera::StereoRig rig;  ///< with its calibration note; date, board and serial numbers left empty
-  double rms_px = 0.0;    ///< distance of a point from its projection, both cameras
-  std::size_t views = 0;  ///< behind the fit
+  camera::StereoRig rig;                ///< with its calibration note; date and serial numbers left empty
+  double rms_px = 0.0;                  ///< distance of a point from its projection, both cameras
+  std::size_t views = 0;                ///< behind the fit
   std::vector<std::string> outliers;    ///< names of the views left out
   std::optional<HoldOut> hold_out;      ///< always there
   std::vector<ViewResidual> residuals;  ///< of all views given, in their order

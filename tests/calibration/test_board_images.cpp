@@ -76,7 +76,7 @@ TEST_P(RealChessboards, AllThirteenPairsGiveTheRig) {
   ASSERT_EQ(images_.views.size(), 13u);
   const auto found = calibrateStereo(kBoard, images_.views, images_.size, GetParam());
   ASSERT_TRUE(found);
-  EXPECT_LE(found->rms_px, 0.23);
+  EXPECT_LE(found->rms_px, 0.22);
   EXPECT_TRUE(found->outliers.empty());
   EXPECT_NEAR(found->rig.X_RC.translation().norm(), 3.328 * kBoard.spacing_m, 0.02 * kBoard.spacing_m);
 }
@@ -85,7 +85,7 @@ TEST_P(RealChessboards, OnPairsKeptOutItStillHolds) {
   const auto found = calibrateStereo(kBoard, images_.views, images_.size, GetParam(), 2);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->views, 7u);
-  EXPECT_LE(found->hold_out->epipolar_px, 0.25);
+  EXPECT_LE(found->hold_out->epipolar_px, 0.20);
   EXPECT_LT(std::abs(found->hold_out->square_mean_percent), 0.3);
   EXPECT_LT(found->hold_out->square_std_percent, 1.0);
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/calibration/record_note.h"
 #include "core/calibration/stereo_calibration.h"
 #include "tests/calibration/board_views.h"
 
@@ -67,6 +68,12 @@ TEST_F(StereoRefusals, ViewsThatShowTooLittleAreLeftOutByName) {
   EXPECT_EQ(found->outliers, (std::vector<std::string>{"view2", "view5"}));
   for (std::size_t i = 0; i < 5; ++i) views[i].seen[0].clear();
   EXPECT_EQ(refusalOf(views).error, CalibrationError::kTooFewViews);
+}
+
+TEST(RecordNote, TheBoardIsWrittenAsItIsRead) {
+  for (const auto* text :
+       {"chessboard:9x6:0.025", "circles:6x6:0.034", "asymmetric-circles:4x11:0.02", "dots:9x7:0.03"})
+    EXPECT_EQ(textOf(boardOf(text).value()), text);
 }
 
 }  // namespace
