@@ -13,10 +13,10 @@ std::string joined(const std::vector<std::string>& names) {
 
 void addLensOptions(CLI::App& command, LensWish& wish, const std::string& out_file) {
   command
-      .add_option(
-          "--board", wish.board,
-          "chessboard:9x6:0.025, circles:6x6:0.034 or asymmetric-circles:4x11:0.02: points in a row x rows, "
-          "step in metres")
+      .add_option("--board", wish.board,
+                  "chessboard:9x6:0.025, circles:6x6:0.034, asymmetric-circles:4x11:0.02 or dots:9x7:0.03: "
+                  "points in a row "
+                  "x rows, step in metres")
       ->required();
   command
       .add_option("--model", wish.model, "Lens model; without it the one that errs less on views kept out")
@@ -35,7 +35,7 @@ std::optional<camera::LensModel> wishedModel(const LensWish& wish) { return came
 void refuseViews(const std::string& images, const calibration::CalibrationRefusal& refusal,
                  const calibration::BoardImages& read) {
   std::string line = images + ": " + reason(refusal);
-  if (!read.not_found.empty()) line += "; board not found whole in " + joined(read.not_found);
+  if (const auto left_out = leftOut(read); !left_out.empty()) line += "; " + left_out;
   throw InputRefused(line);
 }
 

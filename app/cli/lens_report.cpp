@@ -110,7 +110,7 @@ void tellLensReport(const LensReport& report, const BoardImages& read, const std
   if (report.board_shape) tell(*report.board_shape);
   if (!report.outliers.empty())
     std::cout << "Left out, far worse than the others: " << joined(report.outliers) << "\n";
-  if (!read.not_found.empty()) std::cout << "Board not found whole in: " << joined(read.not_found) << "\n";
+  if (const auto left_out = leftOut(read); !left_out.empty()) std::cout << "Left out: " << left_out << "\n";
 }
 
 }  // namespace mirrorarm::cli

@@ -1,6 +1,7 @@
 #include "core/calibration/board_images.h"
 
-#include <optional>
+#include <string>
+#include <utility>
 
 #include "core/calibration/board_finder.h"
 #include "core/calibration/image_list.h"
@@ -9,80 +10,117 @@
 namespace mirrorarm::calibration {
 namespace {
 
-/// Reads images one after the other and holds them to one size.
-class Reader {
- public:
-  explicit Reader(const Board& board) : board_(board) {}
+constexpr double kLeastShare = 0.5;  // of a board's points, for a view that is used
 
-  [[nodiscard]] FromFile<std::optional<Sighting>> find(const std::filesystem::path& file) {
+using Path = std::filesystem::path;
+
+std::string text(ImageSize size) {
+  return std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string line;
+  for (const auto& name : names) line += (line.empty() ? "" : ", ") + name;
+  return line;
+}
+
+/// Reads images one after the other, holds them to one size and gathers what they show.
+class Gatherer {
+ public:
+  explicit Gatherer(const Board& board) : board_(board) {}
+
+  /// The view of one or two images, or their names among those without the board.
+  [[nodiscard]] FromFile<void> add(const std::vector<Path>& files) {
+    BoardView view{files.front().filename().string(), {}};
+    bool is_seen = true;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      const auto sighting = find(files[k]);
+      if (!sighting) return unexpected(sighting.error());
+      is_seen = is_seen && !(*sighting).empty();
+      if (is_seen) view.seen[k] = k == 0 ? *sighting : orderedLike(view.seen[0], *sighting, board_);
+    }
+    if (is_seen) images_.views.push_back(std::move(view));
+    return {};
+  }
+
+  /// All of them, unless the board is another one.
+  [[nodiscard]] FromFile<BoardImages> finish() {
+    if (images_.larger.size() <= found_) return std::move(images_);
+    return unexpected(FileError{first_larger_, 0,
+                                "shows a board that goes on beyond " + std::to_string(board_.columns) + "x" +
+                                    std::to_string(board_.rows) + " points, as do " +
+                                    std::to_string(images_.larger.size()) + " of " + std::to_string(read_) +
+                                    " images: give the size of the whole board"});
+  }
+
+ private:
+  /// Empty where too little of the board is seen.
+  [[nodiscard]] FromFile<Sighting> find(const Path& file) {
     const auto image = camera::readImage(file);
     if (!image) return unexpected(image.error());
     const ImageSize size{image->width(), image->height()};
-    if (first_.empty()) {
+    if (read_++ == 0) {
       first_ = file;
-      size_ = size;
+      images_.size = size;
     }
-    if (!(size == size_))
-      return unexpected(
-          FileError{file, 0, "is " + text(size) + " where " + first_.string() + " is " + text(size_)});
-    const auto sighting = findBoard(image->view(), board_);
-    return sighting ? std::optional(*sighting) : std::nullopt;
+    if (!(size == images_.size))
+      return unexpected(FileError{file, 0,
+                                  "is " + text(size) + " where " + first_.string() + " is " +
+                                      text(images_.size) + ": take all images with one size"});
+    auto sighting = findBoard(image->view(), board_);
+    if (!sighting) {
+      miss(file, sighting.error());
+      return Sighting{};
+    }
+    if (static_cast<double>(sighting->size()) < kLeastShare * board_.columns * board_.rows) {
+      miss(file, BoardMiss::kNotFound);
+      return Sighting{};
+    }
+    ++found_;
+    return *std::move(sighting);
   }
 
-  [[nodiscard]] ImageSize size() const { return size_; }
-
- private:
-  static std::string text(ImageSize size) {
-    return std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
+  void miss(const Path& file, BoardMiss why) {
+    if (why == BoardMiss::kLargerBoard && images_.larger.empty()) first_larger_ = file;
+    auto& names = why == BoardMiss::kLargerBoard ? images_.larger : images_.not_found;
+    names.push_back(file.filename().string());
   }
+
   Board board_;
-  std::filesystem::path first_;
-  ImageSize size_;
+  BoardImages images_;
+  Path first_, first_larger_;
+  std::size_t read_ = 0, found_ = 0;
 };
-
-/// Adds the view of one or two images, or their names to those without a board.
-FromFile<void> addView(Reader& reader, const std::vector<std::filesystem::path>& files, const Board& board,
-                       BoardImages& images) {
-  BoardView view{files.front().filename().string(), {}};
-  bool is_whole = true;
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    const auto sighting = reader.find(files[k]);
-    if (!sighting) return unexpected(sighting.error());
-    if (!*sighting) {
-      images.not_found.push_back(files[k].filename().string());
-      is_whole = false;
-    } else if (is_whole) {
-      view.seen[k] = k == 0 ? **sighting : orderedLike(view.seen[0], **sighting, board);
-    }
-  }
-  if (is_whole) images.views.push_back(std::move(view));
-  return {};
-}
 
 }  // namespace
 
-FromFile<BoardImages> readBoardImages(const std::filesystem::path& folder, const Board& board) {
-  const auto files = listImages(folder);
-  if (!files) return unexpected(files.error());
-  Reader reader(board);
-  BoardImages images;
-  for (const auto& file : *files)
-    if (const auto added = addView(reader, {file}, board, images); !added) return unexpected(added.error());
-  images.size = reader.size();
-  return images;
+std::string leftOut(const BoardImages& images) {
+  std::string line;
+  if (!images.not_found.empty())
+    line = std::string(reason(BoardMiss::kNotFound)) + " (" + joined(images.not_found) + ")";
+  if (images.views.empty() && images.larger.empty() && !line.empty())
+    line += "; a board with fewer columns or rows than the size asked for looks like none";
+  if (images.larger.empty()) return line;
+  if (!line.empty()) line += "; ";
+  return line + std::string(reason(BoardMiss::kLargerBoard)) + " (" + joined(images.larger) + ")";
 }
 
-FromFile<BoardImages> readBoardImagePairs(const std::filesystem::path& left,
-                                          const std::filesystem::path& right, const Board& board) {
+FromFile<BoardImages> readBoardImages(const Path& folder, const Board& board) {
+  const auto files = listImages(folder);
+  if (!files) return unexpected(files.error());
+  Gatherer gatherer(board);
+  for (const auto& file : *files)
+    if (const auto added = gatherer.add({file}); !added) return unexpected(added.error());
+  return gatherer.finish();
+}
+
+FromFile<BoardImages> readBoardImagePairs(const Path& left, const Path& right, const Board& board) {
   const auto pairs = listImagePairs(left, right);
   if (!pairs) return unexpected(pairs.error());
-  Reader reader(board);
-  BoardImages images;
+  Gatherer gatherer(board);
   for (const auto& [left_file, right_file] : *pairs)
-    if (const auto added = addView(reader, {left_file, right_file}, board, images); !added)
-      return unexpected(added.error());
-  images.size = reader.size();
-  return images;
+    if (const auto added = gatherer.add({left_file, right_file}); !added) return unexpected(added.error());
+  return gatherer.finish();
 }
 
 }  // namespace mirrorarm::calibration

@@ -68,6 +68,8 @@ Corners refined(const cv::Mat& grey, CvPoints points, const cv::Size& size) {
 std::optional<Corners> findWished(const cv::Mat& grey, const Board& board) {
   CvPoints points;
   const cv::Size size(board.columns, board.rows);
+  // Without that the search takes minutes where an image is full of other things.
+  if (!cv::checkChessboard(grey, size)) return std::nullopt;
   const bool found = cv::findChessboardCorners(grey, size, points,
                                                cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
   return found ? std::optional(refined(grey, points, size)) : std::nullopt;
@@ -76,7 +78,6 @@ std::optional<Corners> findWished(const cv::Mat& grey, const Board& board) {
 /// As much of a chessboard of any size as can be found from a part of it.
 std::optional<Corners> findAny(const cv::Mat& grey, const Board& board) {
   const cv::Size seed(std::min(board.columns, kSeedColumns), std::min(board.rows, kSeedRows));
-  if (!cv::checkChessboard(grey, seed)) return std::nullopt;
   CvPoints points;
   cv::Mat squares;
   if (!cv::findChessboardCornersSB(grey, seed, points, cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_LARGER,

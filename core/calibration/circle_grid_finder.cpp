@@ -11,6 +11,7 @@ namespace mirrorarm::calibration {
 namespace {
 
 constexpr double kBlur_px = 1.0;       // sharp images and coarse prints lie to either side
+constexpr LatticeLimits kLimits;       // wide ones, for coarse prints
 constexpr double kNextRowShare = 0.5;  // of a row's places that hold discs, where the board goes on
 
 vision::FinderSettings settings(bool dark) {
@@ -104,7 +105,7 @@ Expected<std::vector<std::size_t>, BoardMiss> placedIn(const Cells& cells, const
 
 Expected<Sighting, BoardMiss> findCircles(const camera::ImageView& image, const Board& board, bool dark) {
   const auto discs = seenDiscs(image, settings(dark));
-  Cells cells(largestLattice(discs), board);
+  Cells cells(largestLattice(discs, kLimits), board);
   for (int turn = 0; turn < 4; ++turn, cells = cells.quarterTurned()) {
     const auto order = placedIn(cells, board);
     if (!order && order.error() == BoardMiss::kNotFound) continue;

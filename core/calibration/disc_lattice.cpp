@@ -14,14 +14,14 @@ namespace mirrorarm::calibration {
 namespace {
 
 constexpr std::size_t kFewest = 6;
-constexpr std::size_t kNearest = 8;        // discs around a seed that may be its neighbours
-constexpr std::size_t kMostBases = 4;      // tried a seed
-constexpr double kMostCosine = 0.35;       // between the steps to two neighbours, on the board
-constexpr double kMostStepRatio = 1.35;    // of their lengths
-constexpr double kNear = 0.3;              // of a step, as far as a neighbour may be from its guess
-constexpr double kMostAreaRatio = 12.0;    // of neighbouring discs
-constexpr double kMostStraying = 0.04;     // of a step, from where the surroundings say
-constexpr double kLeastStraying_px = 0.5;  // that is let pass
+constexpr std::size_t kNearest = 8;      // discs around a seed that may be its neighbours
+constexpr std::size_t kMostBases = 4;    // tried a seed
+constexpr double kMostCosine = 0.35;     // between the steps to two neighbours, on the board
+constexpr double kMostStepRatio = 1.35;  // of their lengths
+constexpr double kFirstNear = 0.3;       // of a step, as far as a neighbour may be from where one is expected
+constexpr double kNear = 0.15;           // the same where more neighbours are known
+constexpr double kLeastCell_px2 = 9.0;
+constexpr double kLeastStraying_px = 0.25;  // that is let pass
 
 /// The discs of an image, sorted for looking them up by place.
 class Discs {
@@ -48,76 +48,102 @@ class Discs {
   std::vector<std::pair<double, std::size_t>> by_x_;
 };
 
+using Key = std::pair<int, int>;
+Key key(const Place& place) { return {place.y(), place.x()}; }
+
 struct Node {
   std::size_t disc = 0;
   Eigen::Matrix2d steps_px;
 };
+using Nodes = std::map<Key, Node>;
 
-/// Grows one lattice from neighbour to neighbour.
+constexpr std::array<std::pair<int, int>, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+
+/// A disc that may lie at a place, by how far it is from where it is expected, in steps.
+struct Candidate {
+  double off = 0.0;
+  Place place = Place::Zero();
+  Node node;
+  std::size_t judged_at = 0;  ///< size of the lattice by then
+
+  bool operator<(const Candidate& other) const { return off > other.off; }  // the nearest comes first
+};
+
+/// Grows one lattice from neighbour to neighbour, the surest first: so a light between the dots finds its
+/// place taken, or expected elsewhere.
 class Growth {
  public:
-  Growth(const Discs& discs, std::size_t seed, const Eigen::Matrix2d& steps_px)
-      : discs_(discs), is_used_(discs.size(), false) {
-    put(Place::Zero(), seed, steps_px);
+  Growth(const Discs& discs, const LatticeLimits& limits, std::size_t seed, const Eigen::Matrix2d& steps_px)
+      : discs_(discs), limits_(limits), is_used_(discs.size(), false) {
+    put(Place::Zero(), {seed, steps_px});
     while (!open_.empty()) {
-      const Place place = open_.front();
+      const Candidate next = open_.top();
       open_.pop();
-      for (const Place& step : {Place(1, 0), Place(0, 1), Place(-1, 0), Place(0, -1)}) extend(place, step);
+      if (nodes_.contains(key(next.place))) continue;
+      if (next.judged_at == nodes_.size())
+        put(next.place, next.node);
+      else
+        judge(next.place);
     }
   }
-  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-  [[nodiscard]] const auto& nodes() const { return nodes_; }
+  [[nodiscard]] const Nodes& nodes() const { return nodes_; }
 
  private:
-  using Key = std::pair<int, int>;
-  static Key key(const Place& place) { return {place.y(), place.x()}; }
-
-  void put(const Place& place, std::size_t disc, const Eigen::Matrix2d& steps_px) {
-    nodes_[key(place)] = {disc, steps_px};
-    is_used_[disc] = true;
-    open_.push(place);
+  void put(const Place& place, const Node& node) {
+    nodes_[key(place)] = node;
+    pixels_.set(place, discs_.pixel(node.disc));
+    is_used_[node.disc] = true;
+    for (const auto& [x, y] : kSides)
+      if (!nodes_.contains(key(place + Place(x, y)))) judge(place + Place(x, y));
   }
 
-  /// The step onwards as the one before was, or as it was handed on.
-  [[nodiscard]] Eigen::Vector2d stepFrom(const Place& place, const Place& step, const Node& node) const {
-    const auto before = nodes_.find(key(place - step));
-    if (before != nodes_.end()) return discs_.pixel(node.disc) - discs_.pixel(before->second.disc);
-    return node.steps_px * step.cast<double>();
+  void judge(const Place& place) {
+    const auto expected = pixels_.around(place);
+    const LocalMap map = expected ? *expected : besideAt(place);
+    auto candidate = nearestTo(map, expected ? kNear : kFirstNear);
+    if (!candidate) return;
+    candidate->place = place;
+    candidate->judged_at = nodes_.size();
+    open_.push(*candidate);
   }
 
-  void extend(const Place& place, const Place& step) {
-    if (nodes_.contains(key(place + step))) return;
-    const Node node = nodes_.at(key(place));
-    const Eigen::Vector2d onwards_px = stepFrom(place, step, node);
-    const auto next = neighbourAt(node, discs_.pixel(node.disc) + onwards_px);
-    if (!next) return;
-    Eigen::Matrix2d steps_px = node.steps_px;
-    steps_px.col(step.x() != 0 ? 0 : 1) =
-        (step.x() + step.y()) * (discs_.pixel(*next) - discs_.pixel(node.disc));
-    put(place + step, *next, steps_px);
+  /// From one neighbour on, by the step before or as its steps were handed on: how a lattice begins.
+  [[nodiscard]] LocalMap besideAt(const Place& place) const {
+    for (const auto& [x, y] : kSides) {
+      const Place step(x, y);
+      const auto from = nodes_.find(key(place - step));
+      if (from == nodes_.end()) continue;
+      LocalMap map{discs_.pixel(from->second.disc), from->second.steps_px};
+      if (const auto before = pixels_.at(place - 2 * step))
+        map.steps_px.col(x != 0 ? 0 : 1) = (x + y) * (map.pixel - *before);
+      map.pixel += map.steps_px * step.cast<double>();
+      return map;
+    }
+    return {};
   }
 
-  [[nodiscard]] std::optional<std::size_t> neighbourAt(const Node& from, const Eigen::Vector2d& guess) const {
-    const Eigen::Matrix2d to_steps = from.steps_px.inverse();
-    const double area = discs_.shape(from.disc).determinant();
-    std::optional<std::size_t> found;
-    double nearest = kNear;
-    const double reach_px = kNear * (from.steps_px.col(0).norm() + from.steps_px.col(1).norm());
-    discs_.near(guess, reach_px, [&](std::size_t disc) {
-      const double off = (to_steps * (discs_.pixel(disc) - guess)).norm();
-      const double ratio = std::sqrt(discs_.shape(disc).determinant() / area);
-      if (is_used_[disc] || !(off < nearest) || ratio > kMostAreaRatio || ratio < 1.0 / kMostAreaRatio)
+  [[nodiscard]] std::optional<Candidate> nearestTo(const LocalMap& map, double reach) const {
+    const double area_px2 = std::abs(map.steps_px.determinant());
+    if (!(area_px2 > kLeastCell_px2)) return std::nullopt;
+    const Eigen::Matrix2d to_steps = map.steps_px.inverse();
+    std::optional<Candidate> found;
+    const double reach_px = reach * (map.steps_px.col(0).norm() + map.steps_px.col(1).norm());
+    discs_.near(map.pixel, reach_px, [&](std::size_t disc) {
+      const double off = (to_steps * (discs_.pixel(disc) - map.pixel)).norm();
+      if (is_used_[disc] || !(off < reach) || !limits_.holds(diameterOf(discs_.shape(disc), map.steps_px)))
         return;
-      nearest = off;
-      found = disc;
+      reach = off;
+      found = Candidate{off, {}, {disc, map.steps_px}, 0};
     });
     return found;
   }
 
   const Discs& discs_;
-  std::map<Key, Node> nodes_;
+  LatticeLimits limits_;
+  Nodes nodes_;
+  GridPixels pixels_;
   std::vector<bool> is_used_;
-  std::queue<Place> open_;
+  std::priority_queue<Candidate> open_;
 };
 
 struct Step {
@@ -161,74 +187,89 @@ std::vector<Eigen::Matrix2d> basesAt(const Discs& discs, std::size_t seed) {
   return bases;
 }
 
-std::map<std::pair<int, int>, Node> grown(const Discs& discs) {
-  std::map<std::pair<int, int>, Node> best;
-  std::vector<bool> is_tried(discs.size(), false);
-  std::size_t left = discs.size();
-  for (std::size_t seed = 0; seed < discs.size() && left > best.size(); ++seed) {
-    if (is_tried[seed]) continue;
-    std::map<std::pair<int, int>, Node> here;
-    for (const auto& basis : basesAt(discs, seed)) {
-      const Growth growth(discs, seed, basis);
-      if (growth.size() > here.size()) here = growth.nodes();
-    }
-    for (const auto& [place, node] : here) {
-      if (!is_tried[node.disc]) --left;
-      is_tried[node.disc] = true;
-    }
-    if (!is_tried[seed]) --left;
-    is_tried[seed] = true;
-    if (here.size() > best.size()) best = std::move(here);
-  }
-  return best;
+bool isSurrounded(const Place& place, const GridPixels& pixels) {
+  return std::all_of(kSides.begin(), kSides.end(),
+                     [&](const auto& side) { return pixels.at(place + Place(side.first, side.second)); });
 }
 
-/// How far a disc lies from where its surroundings say, against what is let pass; nothing said is too far.
-double strayingOf(const PlacedDisc& placed, const GridPixels& pixels, PlacedDisc& mapped) {
-  mapped = placed;
-  const auto map = pixels.around(placed.place);
-  if (!map) return std::numeric_limits<double>::infinity();
-  mapped.steps_px = map->steps_px;
-  const double step_px = std::sqrt(std::abs(map->steps_px.determinant()));
-  const double off_px = (pixels.at(placed.place).value() - map->pixel).norm();
-  return off_px / std::max(kMostStraying * step_px, kLeastStraying_px);
-}
-
-/// Drops the disc that strays most, one after the other: it pulls at what its neighbours expect.
-std::vector<PlacedDisc> withoutStrays(std::vector<PlacedDisc> lattice, GridPixels pixels) {
-  while (!lattice.empty()) {
-    std::size_t worst = 0;
-    double most = 0.0;
-    for (std::size_t i = 0; i < lattice.size(); ++i) {
-      PlacedDisc mapped;
-      const double straying = strayingOf(lattice[i], pixels, mapped);
-      lattice[i] = mapped;
-      if (straying <= most) continue;
-      most = straying;
-      worst = i;
+/// A lattice without the discs that stray: the worst goes first, as it pulls at what its neighbours expect.
+class Pruning {
+ public:
+  Pruning(const Discs& discs, const LatticeLimits& limits, const Nodes& nodes) : limits_(limits) {
+    for (const auto& [at, node] : nodes) {
+      const Place place(at.second, at.first);
+      pixels_.set(place, discs.pixel(node.disc));
+      judged_.push_back({{place, node.disc, node.steps_px}, 0.0});
     }
-    if (most <= 1.0) break;
-    pixels.erase(lattice[worst].place);
-    lattice.erase(lattice.begin() + static_cast<std::ptrdiff_t>(worst));
+    for (auto& one : judged_) judge(one);
   }
-  return lattice;
-}
+
+  [[nodiscard]] std::vector<PlacedDisc> pruned() {
+    while (!judged_.empty()) {
+      const auto worst =
+          std::max_element(judged_.begin(), judged_.end(),
+                           [](const Judged& a, const Judged& b) { return a.straying < b.straying; });
+      if (worst->straying <= 1.0) break;
+      const Place gone = worst->placed.place;
+      pixels_.erase(gone);
+      judged_.erase(worst);
+      for (auto& one : judged_)
+        if ((one.placed.place - gone).cwiseAbs().maxCoeff() <= GridPixels::kReach) judge(one);
+    }
+    std::vector<PlacedDisc> lattice;
+    for (const auto& one : judged_) lattice.push_back(one.placed);
+    return lattice;
+  }
+
+ private:
+  struct Judged {
+    PlacedDisc placed;
+    double straying = 0.0;  ///< against what is let pass
+  };
+
+  /// Where the surroundings say nothing, a disc strays.
+  void judge(Judged& one) const {
+    one.straying = std::numeric_limits<double>::infinity();
+    const auto map = pixels_.around(one.placed.place);
+    if (!map) return;
+    one.placed.steps_px = map->steps_px;
+    const double step_px = std::sqrt(std::abs(map->steps_px.determinant()));
+    const double most = isSurrounded(one.placed.place, pixels_) ? limits_.most_inside : limits_.most_at_rim;
+    one.straying = (pixels_.at(one.placed.place).value() - map->pixel).norm() /
+                   std::max(most * step_px, kLeastStraying_px);
+  }
+
+  LatticeLimits limits_;
+  GridPixels pixels_;
+  std::vector<Judged> judged_;
+};
 
 }  // namespace
 
-std::vector<PlacedDisc> largestLattice(std::span<const SeenPoint> discs) {
-  const auto nodes = grown(Discs(discs));
-  if (nodes.size() < kFewest) return {};
-  std::vector<PlacedDisc> lattice;
-  GridPixels pixels;
-  for (const auto& [at, node] : nodes) {
-    const Place place(at.second, at.first);
-    lattice.push_back({place, node.disc, node.steps_px});
-    pixels.set(place, discs[node.disc].pixel);
+double diameterOf(const Eigen::Matrix2d& shape_px2, const Eigen::Matrix2d& steps_px) {
+  return 2.0 * std::sqrt(std::sqrt(shape_px2.determinant()) / std::abs(steps_px.determinant()));
+}
+
+std::vector<PlacedDisc> largestLattice(std::span<const SeenPoint> seen, const LatticeLimits& limits) {
+  const Discs discs(seen);
+  std::vector<PlacedDisc> best;
+  std::vector<bool> is_tried(discs.size(), false);  // discs of one lattice are no seeds any more
+  std::size_t left = discs.size();
+  for (std::size_t seed = 0; seed < discs.size() && left > best.size(); ++seed) {
+    if (is_tried[seed]) continue;
+    for (const auto& basis : basesAt(discs, seed)) {
+      const Growth growth(discs, limits, seed, basis);
+      if (growth.nodes().size() <= best.size()) continue;
+      auto lattice = Pruning(discs, limits, growth.nodes()).pruned();
+      for (const auto& placed : lattice) is_tried[placed.disc] = true;
+      if (lattice.size() > best.size()) best = std::move(lattice);
+      if (2 * best.size() > discs.size()) break;
+    }
+    is_tried[seed] = true;
+    left = static_cast<std::size_t>(std::count(is_tried.begin(), is_tried.end(), false));
   }
-  lattice = withoutStrays(std::move(lattice), std::move(pixels));
-  if (lattice.size() < kFewest) lattice.clear();
-  return lattice;
+  if (best.size() < kFewest) best.clear();
+  return best;
 }
 
 }  // namespace mirrorarm::calibration

@@ -14,9 +14,8 @@ namespace mirrorarm::calibration {
 namespace {
 
 constexpr std::size_t kFewest = 9;
-/// Diameters against the step: what is smaller or larger is no dot of a plate; between them lies the border
-/// of small and large ones.
-constexpr double kLeastShare = 0.3, kMostShare = 0.8;
+/// What is smaller or larger is no dot of a plate, nor what lies elsewhere.
+constexpr LatticeLimits kLimits{0.3, 0.8, 0.012, 0.03};
 
 vision::FinderSettings settings() {
   vision::FinderSettings settings;
@@ -24,8 +23,11 @@ vision::FinderSettings settings() {
   return settings;
 }
 
+constexpr double kMostSizeError = 0.15;  // of a dot's diameter
+
 struct Dot {
   SizedDot sized;
+  double diameter = 0.0;  ///< in steps
   SeenPoint seen;
 };
 
@@ -35,18 +37,24 @@ std::vector<Dot> dotsOf(std::span<const PlacedDisc> lattice, std::span<const See
   std::vector<Dot> dots;
   for (const auto& placed : lattice) {
     const SeenPoint& disc = discs[placed.disc];
-    const double share =
-        2.0 * std::sqrt(std::sqrt(disc.shape_px2.determinant()) / std::abs(placed.steps_px.determinant()));
-    if (share > kLeastShare && share < kMostShare) dots.push_back({{placed.place, share > border}, disc});
+    const double diameter = diameterOf(disc.shape_px2, placed.steps_px);
+    if (kLimits.holds(diameter)) dots.push_back({{placed.place, diameter > border}, diameter, disc});
   }
   return dots;
+}
+
+/// A light at the place of a hidden dot is hardly of its size too.
+bool isDot(const Place& at, double diameter, const Board& plate) {
+  if (at.x() < 0 || at.x() >= plate.columns || at.y() < 0 || at.y() >= plate.rows) return false;
+  const double expected = isLargeDot(at.x(), at.y()) ? kLargeDotShare : kSmallDotShare;
+  return std::abs(diameter / expected - 1.0) < kMostSizeError;
 }
 
 }  // namespace
 
 Expected<Sighting, BoardMiss> findDotPlate(const camera::ImageView& image, const Board& plate) {
   const auto discs = seenDiscs(image, settings());
-  const auto dots = dotsOf(largestLattice(discs), discs);
+  const auto dots = dotsOf(largestLattice(discs, kLimits), discs);
   if (dots.size() < kFewest) return unexpected(BoardMiss::kNotFound);
   std::vector<SizedDot> sized;
   for (const auto& dot : dots) sized.push_back(dot.sized);
@@ -56,8 +64,7 @@ Expected<Sighting, BoardMiss> findDotPlate(const camera::ImageView& image, const
   Sighting sighting;
   for (const auto& dot : dots) {
     const Place at = place->onPlate(dot.sized.place);
-    const bool is_on_plate = at.x() >= 0 && at.x() < plate.columns && at.y() >= 0 && at.y() < plate.rows;
-    if (!is_on_plate || isLargeDot(at.x(), at.y()) != dot.sized.is_large) continue;
+    if (!isDot(at, dot.diameter, plate)) continue;
     sighting.push_back(dot.seen);
     sighting.back().point = at.y() * plate.columns + at.x();
   }

@@ -10,15 +10,16 @@
 namespace mirrorarm::calibration {
 namespace {
 
-constexpr int kReach = 2, kWideReach = 3;  // columns and rows to either side
-constexpr std::size_t kMost = (2 * kWideReach + 1) * (2 * kWideReach + 1) - 1;
-constexpr std::size_t kEnough = 8;  // else the wide reach
+constexpr int kNarrowReach = 2;
+constexpr std::size_t kMost = (2 * GridPixels::kReach + 1) * (2 * GridPixels::kReach + 1) - 1;
+constexpr std::size_t kEnough = 8;  // else all within reach
 constexpr std::size_t kFewest = 5;
 constexpr double kLeastSpread = 0.1;  // of the places across the line that they lie on best, steps^2
-/// Where few places tell the perspective, it is held: steps change by that share of them from one to the
-/// next,
-constexpr double kUsualChange = 0.2;
-constexpr double kUsualStraying = 0.01;  // and places stray by that.
+/// Where few places tell how steps change, they are held: usual changes by perspective and by the lens, from
+/// one step to the next, and how far places stray, all in steps.
+constexpr double kUsualChange = 0.1;
+constexpr double kUsualBend = 0.02;
+constexpr double kUsualStraying = 0.002;
 
 struct Neighbour {
   Eigen::Vector2d step;
@@ -40,8 +41,6 @@ class Neighbours {
   std::size_t count_ = 0;
 };
 
-double weightOf(const Neighbour& neighbour) { return 1.0 / (1.0 + neighbour.step.squaredNorm()); }
-
 bool onOneLine(std::span<const Neighbour> neighbours) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
@@ -55,31 +54,42 @@ bool onOneLine(std::span<const Neighbour> neighbours) {
   return half - std::sqrt(std::max(half * half - spread.determinant(), 0.0)) < kLeastSpread;
 }
 
-/// The homography of steps to pixels about `middle`, least squares of its linear form: rows a1, a2 and the
-/// change of scale g in pixel = (a1 x, a2 x) / (1 + g x).
-LocalMap homographyThrough(std::span<const Neighbour> neighbours, const Eigen::Vector2d& middle) {
-  using Unknowns = Eigen::Matrix<double, 8, 1>;
-  Eigen::Matrix<double, 8, 8> N = Eigen::Matrix<double, 8, 8>::Zero();
+/// What a neighbour says about the coefficients of one pixel coordinate.
+Eigen::Matrix<double, 6, 1> termsOf(const Eigen::Vector2d& step) {
+  const double x = step.x(), y = step.y();
+  Eigen::Matrix<double, 6, 1> terms;
+  terms << 1.0, x, y, x * x, x * y, y * y;
+  return terms;
+}
+
+/// pixel = (quadratic in the step) / (1 + g step) about `middle`, least squares of its linear form: a
+/// homography and what the lens bends.
+LocalMap mapThrough(std::span<const Neighbour> neighbours, const Eigen::Vector2d& middle) {
+  using Unknowns = Eigen::Matrix<double, 14, 1>;
+  Eigen::Matrix<double, 14, 14> N = Eigen::Matrix<double, 14, 14>::Zero();
   Unknowns right = Unknowns::Zero();
   double squares = 0.0, steps = 0.0;
   for (const auto& one : neighbours) {
     const Eigen::Vector2d u = one.pixel - middle;
-    const double weight = weightOf(one);
     squares += u.squaredNorm();
     steps += one.step.squaredNorm();
-    Unknowns along, down;
-    along << one.step, 1.0, 0.0, 0.0, 0.0, -u.x() * one.step;
-    down << 0.0, 0.0, 0.0, one.step, 1.0, -u.y() * one.step;
-    N += weight * (along * along.transpose() + down * down.transpose());
-    right += weight * (u.x() * along + u.y() * down);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      Unknowns row = Unknowns::Zero();
+      row.segment<6>(6 * axis) = termsOf(one.step);
+      row.tail<2>() = -u[axis] * one.step;
+      N += row * row.transpose();
+      right += u[axis] * row;
+    }
   }
-  const double step_px2 = squares / steps;
-  N.diagonal().tail<2>().array() += step_px2 * std::pow(kUsualStraying / kUsualChange, 2);
+  const double held_px2 = squares / steps * kUsualStraying * kUsualStraying;
+  for (const Eigen::Index first : {3, 9})
+    N.diagonal().segment<3>(first).array() += held_px2 / (squares / steps * kUsualBend * kUsualBend);
+  N.diagonal().tail<2>().array() += held_px2 / (kUsualChange * kUsualChange);
   const Unknowns h = N.ldlt().solve(right);
   LocalMap map;
-  map.pixel = Eigen::Vector2d(h[2], h[5]);
-  map.steps_px.row(0) = h.segment<2>(0) - h[2] * h.tail<2>();
-  map.steps_px.row(1) = h.segment<2>(3) - h[5] * h.tail<2>();
+  map.pixel = Eigen::Vector2d(h[0], h[6]);
+  map.steps_px.row(0) = h.segment<2>(1) - h[0] * h.tail<2>();
+  map.steps_px.row(1) = h.segment<2>(7) - h[6] * h.tail<2>();
   map.pixel += middle;
   return map;
 }
@@ -93,7 +103,7 @@ std::optional<Eigen::Vector2d> GridPixels::at(const Place& place) const {
 
 std::optional<LocalMap> GridPixels::around(const Place& place) const {
   Neighbours neighbours;
-  for (const int reach : {kReach, kWideReach}) {
+  for (const int reach : {kNarrowReach, kReach}) {
     neighbours.clear();
     for (int row = -reach; row <= reach; ++row)
       for (int column = -reach; column <= reach; ++column) {
@@ -106,7 +116,7 @@ std::optional<LocalMap> GridPixels::around(const Place& place) const {
   if (neighbours.size() < kFewest || onOneLine(neighbours.all())) return std::nullopt;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const auto& one : neighbours.all()) middle += one.pixel / static_cast<double>(neighbours.size());
-  return homographyThrough(neighbours.all(), middle);
+  return mapThrough(neighbours.all(), middle);
 }
 
 }  // namespace mirrorarm::calibration

@@ -21,12 +21,14 @@ struct LocalMap {
 /// perspective is all that counts.
 class GridPixels {
  public:
+  static constexpr int kReach = 3;  ///< columns and rows to either side that tell about a place
+
   void set(const Place& place, const Eigen::Vector2d& pixel) { pixels_[key(place)] = pixel; }
   void erase(const Place& place) { pixels_.erase(key(place)); }
   [[nodiscard]] std::optional<Eigen::Vector2d> at(const Place& place) const;
 
-  /// From the homography through up to 48 places around it, the place itself left out: inside the grid right
-  /// to about a hundredth of a step. Nothing where fewer than 5 places are near, or all on one line.
+  /// By perspective and a smooth lens through up to 48 places around it, the place itself left out: right to
+  /// about a hundredth of a step. Nothing where fewer than 5 places are near, or all on one line.
   [[nodiscard]] std::optional<LocalMap> around(const Place& place) const;
 
  private:

@@ -55,6 +55,21 @@ TEST(DotPattern, NoWindowComesTwiceOnAnyPlate) {
       ASSERT_TRUE(seen.insert(windowAt(column, row, 0)).second) << column << " " << row;
 }
 
+TEST(DotPattern, EveryPlateTellsItsTurns) {
+  for (int rows = 4; rows <= 20; ++rows)
+    for (int columns = 4; columns <= 20; ++columns) {
+      int half_turn = 0, quarter_turn = 0;
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+          const bool is_large = isLargeDot(column, row);
+          half_turn += is_large != isLargeDot(columns - 1 - column, rows - 1 - row) ? 1 : 0;
+          if (rows == columns) quarter_turn += is_large != isLargeDot(row, columns - 1 - column) ? 1 : 0;
+        }
+      EXPECT_GE(half_turn, 3) << columns << "x" << rows;
+      EXPECT_TRUE(rows != columns || quarter_turn >= 3) << columns << "x" << rows;
+    }
+}
+
 TEST(DotPattern, StartsAsTheManualShowsIt) {
   constexpr std::array<std::string_view, 7> manual = {".OO.OOOO.", ".OO.O...O", ".O.OO.O..", "O..O.O...",
                                                       "O..OO....", "..OO.OO.O", "O...OOO.."};
