@@ -21,7 +21,7 @@ struct PlacedDisc {
 /// What belongs to a lattice, in its steps.
 struct LatticeLimits {
   double least_diameter = 0.05;
-  double most_diameter = 1.0;
+  double most_diameter = 1.4;  ///< marks of some plates reach beyond their cells
   double most_inside =
       0.05;  ///< that a disc may stray from where its surroundings say, neighbours all around
   double most_at_rim = 0.08;  ///< the same at a rim
