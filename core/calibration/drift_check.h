@@ -34,7 +34,7 @@ struct DriftLimits {
 
 /// The figures of one check; what was not measured is absent.
 struct DriftFindings {
-  double epipolar_px = 0.0;      ///< rms over both cameras
+  double epipolar_px = 0.0;      ///< rms over both cameras, the discs freed of their bias
   double reprojection_px = 0.0;  ///< rms with the board posed from both images
   double length_percent = 0.0;   ///< mean error of the lengths between neighbouring points
   std::size_t points = 0;
@@ -48,8 +48,9 @@ struct DriftFindings {
 };
 
 /// From one view or more of a board, and, where the robot moved between them, its poses: `X_BF` is empty or
-/// as long as `views`. Source: the paper's grid of 20 mm steps (section 3.2). Nothing when no view shows
-/// enough of the board.
+/// as long as `views`. The grid wants 3 stations or more, 5 mm apart or farther. A camera that was pushed
+/// aside on the flange without turning shows in `std_mm` only if the flange turns between the stations.
+/// Source: the paper's grid of 20 mm steps (section 3.2). Nothing when no view shows enough of the board.
 [[nodiscard]] std::optional<DriftFindings> checkDrift(const camera::StereoRig& rig,
                                                       const RigidTransform& X_FC, const Board& board,
                                                       std::span<const BoardView> views,

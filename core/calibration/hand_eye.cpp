@@ -16,6 +16,7 @@
 #include "core/calibration/relative_motion.h"
 #include "core/calibration/station_misfit.h"
 #include "core/calibration/tsai_lenz.h"
+#include "core/calibration/worst_axis.h"
 
 namespace mirrorarm::calibration {
 namespace {
@@ -104,11 +105,6 @@ std::optional<Answer> answerBy(HandEyeMethod method, std::span<const PosePair> p
   return Answer{*X_FC, std::nullopt};
 }
 
-double worstAxis(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
-}
-
 /// Delete-one jackknife of the position (Efron and Tibshirani, An Introduction to the Bootstrap, chapter 11),
 /// by the quick solver: ViSP takes half a second for 50 stations, and the spread is the same.
 std::optional<double> jackknife_m(std::span<const PosePair> pairs) {
@@ -124,7 +120,7 @@ std::optional<double> jackknife_m(std::span<const PosePair> pairs) {
   }
   const Eigen::Vector3d mean = positions.rowwise().mean();
   const Eigen::Matrix3Xd strays = positions.colwise() - mean;
-  return worstAxis(strays * strays.transpose() * (static_cast<double>(n - 1) / static_cast<double>(n)));
+  return worstAxisSigma(strays * strays.transpose() * (static_cast<double>(n - 1) / static_cast<double>(n)));
 }
 
 bool areTooMany(std::span<const std::size_t> outliers, std::size_t stations) {
@@ -161,7 +157,7 @@ Expected<HandEyeSolution, HandEyeRefusal> solve(std::span<const PosePair> all, H
   fillStations(all, solution);
   if (isBeyondUse(solution)) return refusal(HandEyeError::kInconsistent);
   solution.sigma_m =
-      answer->covariance ? worstAxis(answer->covariance->bottomRightCorner<3, 3>()) : jackknife_m(kept);
+      answer->covariance ? worstAxisSigma(answer->covariance->bottomRightCorner<3, 3>()) : jackknife_m(kept);
   if (solution.sigma_m > kLargestSigma_m) return refusal(HandEyeError::kNotSolved);
   return solution;
 }

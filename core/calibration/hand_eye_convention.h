@@ -7,10 +7,12 @@
 
 namespace mirrorarm::calibration {
 
-/// Why stations that robot and camera tell differently contradict each other: the one other way of reading
-/// them under which they agree, at least three times better than as they were given. Nothing where no way
-/// does. The robot's poses inverted are the same equations as a camera carried by the other of base and
-/// flange: which is meant is told by what lies nearer to where it is fixed, the camera or the object.
+/// What is wrong with how the poses are given, if it shows: another reading of them (inverted, camera carried
+/// by the other of flange and base, quaternions w first) under which robot and camera agree, at least three
+/// times better than as given. Readings come in twos that are the same equations: robot inverted, and camera
+/// inverted or carried by the other; as given, and both inverted. Those are told apart by what lies where:
+/// what rides on the flange is within 0.3 m of it, or at least nearer than the other is to the base, and the
+/// object lies before the camera.
 [[nodiscard]] std::optional<HandEyeError> wrongConvention(std::span<const PosePair> pairs, CameraMount mount);
 
 }  // namespace mirrorarm::calibration

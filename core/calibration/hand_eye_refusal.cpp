@@ -31,10 +31,10 @@ std::string reason(HandEyeError error) {
              "flange";
     case HandEyeError::kCameraInverted:
       return "the camera's poses look inverted: give the board in the camera (X_CM), not the camera in the "
-             "board";
+             "board; or camera and board have changed places: say the other --eye";
     case HandEyeError::kBothInverted:
       return "the robot's and the camera's poses both look inverted: give the flange in the base (X_BF) and "
-             "the board in the camera (X_CM)";
+             "the board in the camera (X_CM); or only the robot's are, and --eye is the other one";
     case HandEyeError::kCameraBesideRobot:
       return "the camera stands beside the robot and the board is on the flange: say --eye to-hand";
     case HandEyeError::kCameraInHand:
