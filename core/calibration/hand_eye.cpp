@@ -11,10 +11,10 @@
 #include "core/calibration/half_turns.h"
 #include "core/calibration/hand_eye_convention.h"
 #include "core/calibration/hand_eye_refinement.h"
+#include "core/calibration/hand_eye_residuals.h"
 #include "core/calibration/median.h"
 #include "core/calibration/park_martin.h"
 #include "core/calibration/relative_motion.h"
-#include "core/calibration/station_misfit.h"
 #include "core/calibration/tsai_lenz.h"
 #include "core/calibration/worst_axis.h"
 
@@ -36,13 +36,6 @@ constexpr double kFarthest_m = 20.0;
 using Refusal = std::optional<HandEyeError>;
 
 auto refusal(HandEyeError error) { return unexpected(HandEyeRefusal{error, {}}); }
-
-std::vector<PosePair> asInHand(std::span<const PosePair> pairs, CameraMount mount) {
-  std::vector<PosePair> turned(pairs.begin(), pairs.end());
-  if (mount == CameraMount::kToHand)
-    for (auto& pair : turned) pair.X_BF = pair.X_BF.inverse();
-  return turned;
-}
 
 /// Spread of the turns along their second strongest axis: near zero when all are about one axis.
 Refusal refuseTurns(std::span<const PosePair> pairs) {
@@ -127,17 +120,6 @@ bool areTooMany(std::span<const std::size_t> outliers, std::size_t stations) {
   return 2 * outliers.size() >= stations || stations - outliers.size() < kFewestPairs;
 }
 
-void fillStations(std::span<const PosePair> pairs, HandEyeSolution& solution) {
-  std::vector<double> weights(pairs.size(), 1.0);
-  for (const auto station : solution.outliers) weights[station] = 0.0;
-  const auto misfit = stationMisfit(pairs, solution.X_PC, weights);
-  solution.X_QM = misfit.X_BM;
-  solution.rms_m = misfit.rms_m(weights);
-  solution.rms_rad = misfit.rms_rad(weights);
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    solution.stations.push_back({misfit.position_m[i], misfit.rotation_rad[i], weights[i] == 0.0});
-}
-
 bool isBeyondUse(const HandEyeSolution& solution) {
   return solution.rms_m > kLargestRms_m || solution.rms_rad > kLargestRms_rad;
 }
@@ -154,7 +136,7 @@ Expected<HandEyeSolution, HandEyeRefusal> solve(std::span<const PosePair> all, H
   solution.method = method;
   solution.X_PC = answer->X_FC;
   solution.covariance = answer->covariance;
-  fillStations(all, solution);
+  fillResiduals(all, solution);
   if (isBeyondUse(solution)) return refusal(HandEyeError::kInconsistent);
   solution.sigma_m =
       answer->covariance ? worstAxisSigma(answer->covariance->bottomRightCorner<3, 3>()) : jackknife_m(kept);
