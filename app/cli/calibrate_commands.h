@@ -12,6 +12,7 @@
 namespace mirrorarm::cli {
 
 /// The commands under `calibrate`.
+void addCalibrateClock(CLI::App& calibrate, Context& context);
 void addCalibrateHandEye(CLI::App& calibrate, Context& context);
 void addCalibrateMono(CLI::App& calibrate, Context& context);
 void addCalibrateStereo(CLI::App& calibrate, Context& context);

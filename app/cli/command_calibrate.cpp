@@ -43,6 +43,7 @@ void addCalibrate(CLI::App& app, Context& context) {
   CLI::App* calibrate =
       app.add_subcommand("calibrate", "Solve lenses, the stereo rig or the camera on the robot");
   calibrate->require_subcommand(1);
+  addCalibrateClock(*calibrate, context);
   addCalibrateHandEye(*calibrate, context);
   addCalibrateMono(*calibrate, context);
   addCalibrateStereo(*calibrate, context);

@@ -11,7 +11,7 @@
 namespace mirrorarm::calibration {
 namespace {
 
-constexpr int kRounds = 12;
+constexpr int kRounds = 6;
 constexpr double kSettled_s = 1e-5;
 constexpr double kLikeness = 0.95;  ///< of the errors of poses in a row, as the offset is sought
 constexpr std::size_t kFewestPoses = 20;
@@ -144,7 +144,7 @@ struct LeftOut {
 /// What one solution seeks, the rest as it is. The poses come from all that the camera saw. The offset comes
 /// from what changes from one pose to the next: there the errors of lens and board, which vary slowly and are
 /// taken for a delay by their chance likeness to the speed, cancel.
-enum class Sought { kPoses, kOffset };
+enum class Sought { kAll, kPoses, kOffset };
 
 void addMoments(ceres::Problem& problem, std::span<const Moment> moments, CameraMount mount,
                 const Noise& noise, const LeftOut& left_out, double likeness,
@@ -169,15 +169,14 @@ bool solve(std::span<const Moment> moments, CameraMount mount, Sought sought, co
   problem.AddParameterBlock(&delay_s, 1);
   addMoments(problem, moments, mount, noiseOf(fit.residuals), left_out,
              sought == Sought::kOffset ? kLikeness : 0.0, {X_PC.data(), X_QM.data(), &delay_s});
-  if (sought == Sought::kPoses) {
-    problem.SetParameterBlockConstant(&delay_s);
-  } else {
+  if (sought == Sought::kPoses) problem.SetParameterBlockConstant(&delay_s);
+  if (sought == Sought::kOffset) {
     problem.SetParameterBlockConstant(X_PC.data());
     problem.SetParameterBlockConstant(X_QM.data());
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.function_tolerance = 1e-10;
+  options.function_tolerance = 1e-8;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   if (!summary.IsSolutionUsable()) return false;
@@ -222,8 +221,10 @@ std::optional<ClockFit> fitClock(const TimedPath& robot, std::span<const TimedPo
     if (moments.size() < kFewestPoses) return std::nullopt;
     fit.residuals = residualsOf(moments, mount, fit);
     const double before_s = fit.offset_s;
-    if (!solveBoth(moments, mount, {}, fit)) return std::nullopt;
-    if (round + 1 < kRounds && std::abs(fit.offset_s - before_s) > kSettled_s) continue;
+    // Far from the answer poses and offset lean on each other: first all at once.
+    if (round == 0 && !solve(moments, mount, Sought::kAll, {}, fit)) return std::nullopt;
+    if (round > 0 && !solveBoth(moments, mount, {}, fit)) return std::nullopt;
+    if (round == 0 || (round + 1 < kRounds && std::abs(fit.offset_s - before_s) > kSettled_s)) continue;
     const Noise noise = noiseOf(fit.residuals);
     fit.residuals = residualsOf(moments, mount, fit);
     for (auto& residual : fit.residuals) residual.is_outlier = isOutlier(residual, noise);

@@ -13,7 +13,7 @@ namespace mirrorarm::calibration {
 namespace {
 
 constexpr double kClearlyBetter = 3.0;
-constexpr double kLargestMedian_m = 0.02;  ///< of a reading that is believed
+constexpr double kLargestMedian_m = 0.04;  ///< of a reading that is believed
 constexpr double kAgreeing_m = 0.001;      ///< as given; few stations may by chance agree better otherwise
 constexpr double kArm_m = 0.3;             ///< at which a turn counts as a shift
 constexpr double kOnFlange_m = 0.3;        ///< what rides on a flange may be that far from it
