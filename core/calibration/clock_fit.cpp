@@ -11,7 +11,8 @@
 namespace mirrorarm::calibration {
 namespace {
 
-constexpr int kRounds = 6;
+constexpr int kJointRounds = 4;
+constexpr int kRounds = 10;
 constexpr double kSettled_s = 1e-5;
 constexpr double kLikeness = 0.95;  ///< of the errors of poses in a row, as the offset is sought
 constexpr std::size_t kFewestPoses = 20;
@@ -222,9 +223,10 @@ std::optional<ClockFit> fitClock(const TimedPath& robot, std::span<const TimedPo
     fit.residuals = residualsOf(moments, mount, fit);
     const double before_s = fit.offset_s;
     // Far from the answer poses and offset lean on each other: first all at once.
-    if (round == 0 && !solve(moments, mount, Sought::kAll, {}, fit)) return std::nullopt;
-    if (round > 0 && !solveBoth(moments, mount, {}, fit)) return std::nullopt;
-    if (round == 0 || (round + 1 < kRounds && std::abs(fit.offset_s - before_s) > kSettled_s)) continue;
+    if (round < kJointRounds && !solve(moments, mount, Sought::kAll, {}, fit)) return std::nullopt;
+    if (round >= kJointRounds && !solveBoth(moments, mount, {}, fit)) return std::nullopt;
+    if (round < kJointRounds || (round + 1 < kRounds && std::abs(fit.offset_s - before_s) > kSettled_s))
+      continue;
     const Noise noise = noiseOf(fit.residuals);
     fit.residuals = residualsOf(moments, mount, fit);
     for (auto& residual : fit.residuals) residual.is_outlier = isOutlier(residual, noise);

@@ -18,7 +18,7 @@ constexpr double kFailedAt = 2.0;
 
 /// The views whose board could be posed, and the stations of those.
 struct Posed {
-  std::vector<BoardView> centres;
+  std::vector<BoardView> views;
   std::vector<RigidTransform> X_CM;
   std::vector<RigidTransform> X_BF;
   double squares_px2 = 0.0;
@@ -32,7 +32,7 @@ Posed posed(const camera::StereoRig& rig, const Board& board, std::span<const Bo
     const auto pose = poseBoard(rig, board, views[i]);
     const auto points = views[i].seen[0].size() + views[i].seen[1].size();
     if (!pose || seenByBoth(views[i]).empty()) continue;
-    all.centres.push_back(pose->centres);
+    all.views.push_back(views[i]);
     all.X_CM.push_back(pose->X_CM);
     if (!X_BF.empty()) all.X_BF.push_back(X_BF[i]);
     all.squares_px2 += pose->rms_px * pose->rms_px * static_cast<double>(points);
@@ -123,7 +123,7 @@ std::optional<DriftFindings> checkDrift(const camera::StereoRig& rig, const Rigi
   assert(X_BF.empty() || X_BF.size() == views.size());
   const auto all = posed(rig, board, views, X_BF);
   if (all.points == 0) return std::nullopt;
-  const auto held = measureHoldOut(rig, board, all.centres);
+  const auto held = measureHoldOut(rig, board, all.views);
   DriftFindings findings;
   findings.epipolar_px = held.epipolar_px;
   findings.reprojection_px = std::sqrt(all.squares_px2 / static_cast<double>(all.points));
