@@ -3,6 +3,7 @@
 #include <cassert>
 #include <ceres/ceres.h>
 #include <cmath>
+#include <memory>
 
 #include "core/calibration/lens_numbers.h"
 #include "core/geometry/small_motion.h"

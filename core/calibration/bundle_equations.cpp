@@ -1,5 +1,8 @@
 #include "core/calibration/bundle_equations.h"
 
+#include <array>
+#include <cmath>
+
 #include <Eigen/Dense>
 
 #include "core/calibration/lens_numbers.h"

@@ -1,7 +1,9 @@
 #include "core/calibration/robust_bundle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/calibration/bundle_equations.h"
 #include "core/calibration/disc_bias.h"
