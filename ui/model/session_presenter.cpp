@@ -142,6 +142,7 @@ SessionState SessionPresenter::stateOf(const station::Snapshot& snapshot) const 
     next.allowed[i] = isAllowed(static_cast<Action>(i), next);
   next.can_choose_mapping = !next.stopped && control.phase == Phase::kTaught;  // aligning fixes it
   next.session = snapshot.record.session;
+  next.can_calibrate = control.phase == Phase::kPrepare;
   next.can_report = snapshot.record.recording == station::Recording::kComplete;
   return next;
 }

@@ -33,7 +33,8 @@ struct SessionState {
   therapy::Mapping mapping = therapy::Mapping::kFollow;
   bool can_choose_mapping = false;
   std::int64_t session = 0;
-  bool can_report = false;  ///< the record is complete
+  bool can_report = false;     ///< the record is complete
+  bool can_calibrate = false;  ///< nothing has begun that needs the devices
 
   [[nodiscard]] bool allows(therapy::Action action) const {
     return allowed[static_cast<std::size_t>(action)];

@@ -6,11 +6,9 @@
 
 #include "core/common/time.h"
 #include "core/station/snapshot.h"
+#include "ui/model/light.h"
 
 namespace mirrorarm::ui {
-
-/// A status that is told by shape and word, never by colour alone.
-enum class Light { kOff, kGood, kWaiting, kBad };
 
 /// A line on how the images are lit.
 struct ExposureLine {

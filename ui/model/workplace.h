@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/calibration/validity.h"
 #include "core/camera/stereo_rig.h"
 #include "core/robot/arm_description.h"
 #include "core/robot/motion_limits.h"
@@ -19,6 +21,8 @@ struct Workplace {
   RigidTransform X_FC = RigidTransform::Identity();
   RigidTransform X_FE = RigidTransform::Identity();
   Eigen::Vector3d impaired_elbow_B{1.05, 0.0, 0.28};  ///< where the impaired arm comes from
+  /// How those in force stand; nothing where exact ones come with the simulated devices.
+  std::optional<calibration::Validity> calibrations;
   bool simulated = false;
 };
 

@@ -24,6 +24,14 @@ ActionButton::ActionButton(const QString& objectName, const QString& text, const
   setCursor(Qt::PointingHandCursor);
 }
 
+// QPushButton takes the key of the new text, which is none.
+void ActionButton::setWords(const QString& words) {
+  if (words == text()) return;
+  const QKeySequence key = shortcut();
+  setText(words);
+  setShortcut(key);
+}
+
 void ActionButton::setPrimary(bool primary) {
   if (property("primary").toBool() == primary) return;
   setProperty("primary", primary);

@@ -12,6 +12,8 @@ class ActionButton : public QPushButton {
   ActionButton(const QString& objectName, const QString& text, const QKeySequence& key,
                QWidget* parent = nullptr);
 
+  /// Other words on it; name and key stay.
+  void setWords(const QString& words);
   /// The one thing to press in a step: large and in the accent colour.
   void setPrimary(bool primary);
 

@@ -35,15 +35,13 @@ QVBoxLayout* columnOf(QWidget* widget) {
   return column;
 }
 
-}  // namespace
-
-FromFile<Themes> Themes::read(const std::filesystem::path& folder) {
-  auto light = Theme::read(folder, QStringLiteral("light"));
-  if (!light) return unexpected(light.error());
-  auto dark = Theme::read(folder, QStringLiteral("dark"));
-  if (!dark) return unexpected(dark.error());
-  return Themes{std::move(*light), std::move(*dark)};
+QStringList stepNames() {
+  QStringList names;
+  for (int i = 0; i < kStepCount; ++i) names << nameOf(static_cast<Step>(i));
+  return names;
 }
+
+}  // namespace
 
 MainWindow::MainWindow(station::StationPort& port, Workplace workplace, Themes themes,
                        ReportJob::Read read_report)
@@ -56,7 +54,7 @@ MainWindow::MainWindow(station::StationPort& port, Workplace workplace, Themes t
       journal_(log_),
       report_(std::move(read_report)),
       header_(new HeaderBar(workplace_.simulated)),
-      rail_(new StepRail),
+      rail_(new StepRail(stepNames())),
       session_panel_(new SessionPanel(session_, report_)),
       scene_(new SceneView(workplace_)),
       images_(new StereoImageView(workplace_.rig)),
@@ -137,13 +135,16 @@ QWidget* MainWindow::makeBottom() {
 void MainWindow::join() {
   connect(&feed_, &LiveFeed::taken, this, &MainWindow::present);
   connect(&session_, &SessionPresenter::stateChanged, rail_,
-          [this](const SessionState& s) { rail_->setStep(s.step); });
+          [this](const SessionState& s) { rail_->setStep(static_cast<int>(s.step)); });
+  connect(&session_, &SessionPresenter::stateChanged, header_,
+          [this](const SessionState& s) { header_->setCalibrationAllowed(s.can_calibrate); });
   connect(&tracking_, &TrackingPresenter::stateChanged, quality_panel_,
           [this](const TrackingState& state) { quality_panel_->show(state); });
   connect(&robot_, &RobotPresenter::figuresChanged, robot_panel_,
           [this](const RobotFigures& figures) { robot_panel_->show(figures); });
   connect(images_, &StereoImageView::enlargeWanted, this, &MainWindow::enlargeImages);
   connect(header_, &HeaderBar::imagesWanted, this, &MainWindow::enlargeImages);
+  connect(header_, &HeaderBar::calibrationWanted, this, &MainWindow::calibrationWanted);
   connect(header_, &HeaderBar::viewWanted, scene_, &SceneView::resetView);
   connect(header_, &HeaderBar::themeWanted, this, [this] { setDark(!dark_); });
   connect(header_, &HeaderBar::keysWanted, this, [this] { (new ShortcutList(*this))->show(); });

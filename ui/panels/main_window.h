@@ -31,13 +31,6 @@ class SessionPanel;
 class StepRail;
 class StereoImageView;
 
-/// The two looks of the screen.
-struct Themes {
-  Theme light;
-  Theme dark;
-  [[nodiscard]] static FromFile<Themes> read(const std::filesystem::path& folder);
-};
-
 /// The workstation's one window. Owns the presenters and hands every snapshot round at the feed's beat.
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -47,10 +40,15 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void setDark(bool dark);
+  [[nodiscard]] bool isDark() const { return dark_; }
   /// Starts the beat.
   void start();
   [[nodiscard]] LiveFeed& feed() { return feed_; }
   [[nodiscard]] SessionPresenter& session() { return session_; }
+
+ signals:
+  /// The devices are wanted for calibrating; there is no session.
+  void calibrationWanted();
 
  private:
   [[nodiscard]] QWidget* makeLeft();

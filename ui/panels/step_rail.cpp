@@ -11,9 +11,9 @@ constexpr double kCentre_px = 24.0;  // of the circles, from the left
 
 }  // namespace
 
-StepRail::StepRail(QWidget* parent) : QWidget(parent) {
+StepRail::StepRail(const QStringList& names, QWidget* parent) : QWidget(parent), names_(names) {
   setObjectName(QStringLiteral("stepRail"));
-  setFixedHeight(kStepCount * kRow_px);
+  setFixedHeight(names_.size() * kRow_px);
   setStep(step_);
 }
 
@@ -22,10 +22,9 @@ void StepRail::setTheme(const Theme& theme) {
   update();
 }
 
-void StepRail::setStep(Step step) {
+void StepRail::setStep(int step) {
   step_ = step;
-  setAccessibleName(
-      tr("Step %1 of %2: %3").arg(static_cast<int>(step) + 1).arg(kStepCount).arg(nameOf(step)));
+  setAccessibleName(tr("Step %1 of %2: %3").arg(step + 1).arg(names_.size()).arg(names_.at(step)));
   update();
 }
 
@@ -33,17 +32,17 @@ void StepRail::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(theme_.colour(QStringLiteral("border_strong")), 1.5));
-  for (int index = 0; index + 1 < kStepCount; ++index) {
+  for (int index = 0; index + 1 < names_.size(); ++index) {
     const double middle = (index + 0.5) * kRow_px;
     painter.drawLine(QPointF(kCentre_px, middle + kRadius_px),
                      QPointF(kCentre_px, middle + kRow_px - kRadius_px));
   }
-  for (int index = 0; index < kStepCount; ++index) drawStep(painter, index);
+  for (int index = 0; index < names_.size(); ++index) drawStep(painter, index);
 }
 
 void StepRail::drawStep(QPainter& painter, int index) const {
-  const bool done = index < static_cast<int>(step_);
-  const bool present = index == static_cast<int>(step_);
+  const bool done = index < step_;
+  const bool present = index == step_;
   const QRectF row(0, index * kRow_px, width(), kRow_px);
   const QPointF centre(kCentre_px, row.center().y());
   if (present) {
@@ -60,8 +59,7 @@ void StepRail::drawStep(QPainter& painter, int index) const {
   font.setBold(present);
   painter.setFont(font);
   painter.setPen(theme_.colour(QLatin1String(present || done ? "text" : "text_muted")));
-  painter.drawText(row.adjusted(kCentre_px + kRadius_px + 12, 0, 0, 0), Qt::AlignVCenter,
-                   nameOf(static_cast<Step>(index)));
+  painter.drawText(row.adjusted(kCentre_px + kRadius_px + 12, 0, 0, 0), Qt::AlignVCenter, names_.at(index));
   painter.setPen(QPen(present ? theme_.colour(QStringLiteral("on_accent"))
                       : done  ? accent
                               : theme_.colour(QStringLiteral("text_muted")),

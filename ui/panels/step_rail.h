@@ -1,19 +1,20 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
-#include "ui/model/session_presenter.h"
 #include "ui/views/theme.h"
 
 namespace mirrorarm::ui {
 
-/// The steps of a session from top to bottom: done, present, to come.
+/// Steps from top to bottom: done, present, to come.
 class StepRail : public QWidget {
   Q_OBJECT
  public:
-  explicit StepRail(QWidget* parent = nullptr);
+  explicit StepRail(const QStringList& names, QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  void setStep(Step step);
+  /// From 0; those before it are done.
+  void setStep(int step);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -22,7 +23,8 @@ class StepRail : public QWidget {
   void drawStep(QPainter& painter, int index) const;
 
   Theme theme_;
-  Step step_ = Step::kPrepare;
+  const QStringList names_;
+  int step_ = 0;
 };
 
 }  // namespace mirrorarm::ui

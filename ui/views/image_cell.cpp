@@ -53,12 +53,7 @@ QPointF ImageCell::onScreen(const QPointF& pixel) const {
 void ImageCell::draw(QPainter& painter, const ImageOverlay& overlay, bool with_refused, const Theme& theme,
                      const QString& caption) {
   painter.save();
-  painter.setClipRect(area_);
-  painter.fillRect(area_, theme.colour(QStringLiteral("image_ground")));
-  if (!image_.empty()) drawImage(painter);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QColor text = theme.colour(QStringLiteral("image_text"));
-  drawLabel(painter, area_.topLeft() + QPointF(8, 17), caption, text, theme);
+  begin(painter, theme, caption);
   for (const auto& line : overlay.epipolar_lines) drawLine(painter, line, theme);
   for (const auto& mark : overlay.marks) drawMark(painter, mark, theme);
   if (with_refused) {
@@ -66,6 +61,15 @@ void ImageCell::draw(QPainter& painter, const ImageOverlay& overlay, bool with_r
     for (const auto& light : overlay.refused) drawRefused(painter, light, theme);
   }
   painter.restore();
+}
+
+void ImageCell::begin(QPainter& painter, const Theme& theme, const QString& caption) {
+  painter.setClipRect(area_);
+  painter.fillRect(area_, theme.colour(QStringLiteral("image_ground")));
+  if (!image_.empty()) drawImage(painter);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor text = theme.colour(QStringLiteral("image_text"));
+  drawLabel(painter, area_.topLeft() + QPointF(8, 17), caption, text, theme);
 }
 
 void ImageCell::drawImage(QPainter& painter) const {
@@ -133,7 +137,6 @@ void ImageCell::drawRefused(QPainter& painter, const ImageOverlay::RefusedLight&
     drawLabel(painter, centre + QPointF(half + kLabelGap_px, kLabelGap_px), light.reason, colour, theme);
 }
 
-/// Text that stays legible on any ground, inside the cell; left out where other text stands already.
 void ImageCell::drawLabel(QPainter& painter, const QPointF& place, const QString& text, const QColor& colour,
                           const Theme& theme) {
   QPainterPath path;

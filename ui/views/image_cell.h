@@ -23,17 +23,24 @@ class ImageCell {
 
   /// No text will stand there.
   void keepFree(const QRectF& box) { labels_.push_back(box); }
+  /// The image with its markers.
   void draw(QPainter& painter, const ImageOverlay& overlay, bool with_refused, const Theme& theme,
             const QString& caption);
 
- private:
+  // For whoever draws something else over the image.
+  /// The image and its caption; drawing is clipped to the cell from then on.
+  void begin(QPainter& painter, const Theme& theme, const QString& caption);
   [[nodiscard]] QPointF onScreen(const QPointF& pixel) const;
+  [[nodiscard]] double scale() const { return scale_; }
+  /// Text that stays legible on any ground, inside the cell; left out where other text stands already.
+  void drawLabel(QPainter& painter, const QPointF& place, const QString& text, const QColor& colour,
+                 const Theme& theme);
+
+ private:
   void drawImage(QPainter& painter) const;
   void drawLine(QPainter& painter, const ImageOverlay::EpipolarLine& line, const Theme& theme) const;
   void drawMark(QPainter& painter, const ImageOverlay::Mark& mark, const Theme& theme);
   void drawRefused(QPainter& painter, const ImageOverlay::RefusedLight& light, const Theme& theme);
-  void drawLabel(QPainter& painter, const QPointF& place, const QString& text, const QColor& colour,
-                 const Theme& theme);
 
   const camera::GreyImage& image_;
   QRectF source_px_;

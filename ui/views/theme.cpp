@@ -72,4 +72,12 @@ QColor Theme::colour(const QString& name) const {
   return *found;
 }
 
+FromFile<Themes> Themes::read(const std::filesystem::path& folder) {
+  auto light = Theme::read(folder, QStringLiteral("light"));
+  if (!light) return unexpected(light.error());
+  auto dark = Theme::read(folder, QStringLiteral("dark"));
+  if (!dark) return unexpected(dark.error());
+  return Themes{std::move(*light), std::move(*dark)};
+}
+
 }  // namespace mirrorarm::ui

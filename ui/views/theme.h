@@ -26,4 +26,11 @@ class Theme {
   QString style_sheet_;
 };
 
+/// The two looks of the screen.
+struct Themes {
+  Theme light;
+  Theme dark;
+  [[nodiscard]] static FromFile<Themes> read(const std::filesystem::path& folder);
+};
+
 }  // namespace mirrorarm::ui
