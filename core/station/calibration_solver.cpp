@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/calibration/board_hand_eye.h"
 #include "core/calibration/board_pose.h"
 
 namespace mirrorarm::station {
@@ -34,31 +35,46 @@ SolveAnswer solveStereo(const SolveQuestion& question, std::atomic<double>& prog
   return solved(std::move(outcome), std::move(list));
 }
 
-SolveAnswer solveHandEye(const SolveQuestion& question) {
+/// The stations where flange and board are known, and which views they are.
+struct Stations {
+  std::vector<calibration::HandEyeStation> given;
   std::vector<calibration::PosePair> pairs;
-  std::vector<std::size_t> used;
+  std::vector<std::size_t> views;
+};
+
+Stations stationsOf(const SolveQuestion& question) {
+  Stations stations;
   for (std::size_t i = 0; i < question.views->size(); ++i) {
     const auto& taken = (*question.views)[i];
     const auto pose = calibration::poseBoard(*question.known.rig, question.board, taken.view);
     if (!pose || !taken.X_BF) continue;
-    pairs.push_back({*taken.X_BF, pose->X_CM});
-    used.push_back(i);
+    stations.given.push_back({taken.view, *taken.X_BF});
+    stations.pairs.push_back({*taken.X_BF, pose->X_CM});
+    stations.views.push_back(i);
   }
-  auto result = calibration::solveHandEye(pairs, calibration::CameraMount::kInHand);
-  if (!result) return refused(question, calibration::reason(result.error()));
+  return stations;
+}
+
+SolveAnswer solveHandEye(const SolveQuestion& question) {
+  auto stations = stationsOf(question);
+  auto refined = calibration::refineHandEye(*question.known.rig, question.board, stations.given,
+                                            calibration::CameraMount::kInHand);
+  if (!refined) return refused(question, calibration::reason(refined.error()));
+  HandEyeOutcome outcome{std::move(refined->hand_eye), std::nullopt, std::nullopt};
   auto list = *question.views;
-  for (std::size_t i = 0; i < used.size() && i < result->stations.size(); ++i) {
-    list[used[i]].residual_m = result->stations[i].position_m;
-    list[used[i]].is_outlier = result->stations[i].is_outlier;
+  for (std::size_t i = 0; i < stations.views.size(); ++i) {
+    auto& taken = list[stations.views[i]];
+    taken.residual_px = refined->stations_px[i];
+    taken.residual_m = outcome.result.stations[i].position_m;
+    taken.is_outlier = outcome.result.stations[i].is_outlier;
   }
-  HandEyeOutcome outcome{std::move(*result), std::nullopt, std::nullopt};
   if (question.known.hand_eye_in_force) {
     const auto& X_FC = question.known.X_FC;
     outcome.shift_mm = 1e3 * (outcome.result.X_PC.translation() - X_FC.translation()).norm();
     outcome.turn_deg = kDegrees * angleBetween(outcome.result.X_PC, X_FC);
   }
   auto answer = solved(std::move(outcome), std::move(list));
-  answer.pairs = std::move(pairs);
+  answer.pairs = std::move(stations.pairs);
   return answer;
 }
 
