@@ -1,19 +1,19 @@
 #pragma once
 
 #include <array>
-#include <ceres/ceres.h>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "core/geometry/rigid_transform.h"
 
+namespace ceres {
+class Problem;
+}
+
 namespace mirrorarm::calibration {
 
-/// A pose as the solver moves it: quaternion x, y, z, w, then position [m]. For .cpp files alone, as it
-/// includes Ceres.
+/// A pose as the solver moves it: quaternion x, y, z, w, then position [m].
 using PoseBlock = std::array<double, 7>;
 
 [[nodiscard]] inline PoseBlock blockOf(const RigidTransform& X) {
@@ -27,11 +27,8 @@ using PoseBlock = std::array<double, 7>;
                        Eigen::Vector3d(block[4], block[5], block[6]));
 }
 
-inline void addPose(ceres::Problem& problem, PoseBlock& block) {
-  problem.AddParameterBlock(
-      block.data(), 7,
-      new ceres::ProductManifold<ceres::EigenQuaternionManifold, ceres::EuclideanManifold<3>>);
-}
+/// Tells the solver that the block is a pose; the block outlives the problem.
+void addPose(ceres::Problem& problem, PoseBlock& block);
 
 /// A pose inside a residual, of numbers or of dual numbers.
 template <class T>
@@ -54,21 +51,7 @@ struct PoseIn {
 
 /// Covariance of a SmallMotion of the frame that `block` places, from the solved problem. The solver's own
 /// turn is half a rotation vector, in the outer frame. Nothing where the problem leaves a freedom.
-[[nodiscard]] inline std::optional<Eigen::Matrix<double, 6, 6>> smallMotionCovariance(
-    ceres::Problem& problem, const PoseBlock& block) {
-  ceres::Covariance::Options options;
-  options.algorithm_type = ceres::DENSE_SVD;
-  ceres::Covariance covariance(options);
-  const std::vector<std::pair<const double*, const double*>> wanted = {{block.data(), block.data()}};
-  if (!covariance.Compute(wanted, &problem)) return std::nullopt;
-  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> outer;
-  if (!covariance.GetCovarianceBlockInTangentSpace(block.data(), block.data(), outer.data()))
-    return std::nullopt;
-  const Eigen::Matrix3d R_inner_outer = poseOf(block).linear().transpose();
-  Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Zero();
-  J.topLeftCorner<3, 3>() = 2.0 * R_inner_outer;
-  J.bottomRightCorner<3, 3>() = R_inner_outer;
-  return J * outer * J.transpose();
-}
+[[nodiscard]] std::optional<Eigen::Matrix<double, 6, 6>> smallMotionCovariance(ceres::Problem& problem,
+                                                                               const PoseBlock& block);
 
 }  // namespace mirrorarm::calibration

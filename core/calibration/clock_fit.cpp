@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ceres/ceres.h>
 #include <cmath>
 #include <vector>
 

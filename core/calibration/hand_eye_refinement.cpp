@@ -1,6 +1,7 @@
 #include "core/calibration/hand_eye_refinement.h"
 
 #include <algorithm>
+#include <ceres/ceres.h>
 #include <cmath>
 #include <vector>
 
