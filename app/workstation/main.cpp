@@ -1,4 +1,5 @@
 #include <iostream>
+#include <map>
 
 #include <CLI/CLI.hpp>
 
@@ -8,7 +9,14 @@
 
 namespace {
 
+using namespace mirrorarm;
 using namespace mirrorarm::workstation;
+
+using station::CalibrationJob;
+const std::map<std::string, CalibrationJob> kJobs{{"stereo", CalibrationJob::kStereo},
+                                                  {"hand-eye", CalibrationJob::kHandEye},
+                                                  {"clock", CalibrationJob::kClock},
+                                                  {"drift", CalibrationJob::kDrift}};
 
 void addReportOptions(CLI::App& app, ReportOrder& order) {
   auto* report =
@@ -23,6 +31,12 @@ void addReportOptions(CLI::App& app, ReportOrder& order) {
 void addWindowOptions(CLI::App& app, WorkstationOrder& order) {
   app.add_option("--store", order.store, "Keep the records in this store instead of the user's own")
       ->type_name("FILE");
+  app.add_option("--calibrations", order.calibrations,
+                 "Keep the calibrations in this folder instead of the user's own")
+      ->type_name("DIR");
+  app.add_option("--calibrate", order.calibrate, "Open the calibration: stereo, hand-eye, clock or drift")
+      ->type_name("WHAT")
+      ->transform(CLI::CheckedTransformer(kJobs));
   app.add_option("--exercise", order.exercise,
                  "What the simulated patient does: reach, lift, side, circle, turn")
       ->type_name("NAME")
@@ -35,8 +49,9 @@ void addWindowOptions(CLI::App& app, WorkstationOrder& order) {
       ->capture_default_str();
   app.add_flag("--dark", order.dark, "Begin with the dark theme");
   app.add_option("--size", order.size_px, "Width and height of the window [px]")->capture_default_str();
-  app.add_option("--tour", order.tour,
-                 "Walk through a session and leave a picture of each step in this folder")
+  app.add_option(
+         "--tour", order.tour,
+         "Walk through the session, or the calibration, and leave a picture of each step in this folder")
       ->type_name("DIR");
 }
 
@@ -46,7 +61,8 @@ int main(int argc, char** argv) {
   CLI::App app{"mirrorarm: the workstation for cooperative robotic movement therapy", "mirrorarm"};
   app.set_version_flag("--version", MIRRORARM_VERSION);
   app.footer(
-      "Examples:\n  mirrorarm\n  mirrorarm --tour pictures\n  mirrorarm --report store.sqlite --session 3 "
+      "Examples:\n  mirrorarm\n  mirrorarm --tour pictures\n  mirrorarm --calibrate stereo\n  mirrorarm "
+      "--report store.sqlite --session 3 "
       "--out report.pdf --language de");
   ReportOrder report;
   WorkstationOrder window;

@@ -8,43 +8,9 @@
 #include "app/workstation/exit_code.h"
 
 namespace mirrorarm::workstation {
-namespace {
 
-using therapy::Phase;
-using ui::SessionState;
-
-constexpr Seconds kPatience{60.0};  // for a machine without graphics hardware
-
-auto in(Phase phase) {
-  return [phase](const SessionState& state) { return state.phase == phase && !state.stopped; };
-}
-
-bool isStopped(const SessionState& state) { return state.stopped; }
-bool canReport(const SessionState& state) { return state.can_report; }
-
-}  // namespace
-
-// The last stages show the report once its button to open it is there.
-std::vector<Tour::Stage> Tour::stages() {
-  return {{in(Phase::kPrepare), Seconds(2.5), "1-prepare", "teachButton"},
-          {in(Phase::kTeaching), Seconds(3.0), "2-teach", "keepMarkersButton"},
-          {in(Phase::kTaught), Seconds(2.5), "3-align", "alignButton"},
-          {in(Phase::kAligned), Seconds(1.5), "4-ready", "startButton"},
-          {in(Phase::kTraining), Seconds(12.0), "5-train", "imagesButton"},
-          {in(Phase::kTraining), Seconds(1.5), "6-images", "imagesButton"},
-          {in(Phase::kTraining), Seconds(1.0), "", "stopButton"},
-          {isStopped, Seconds(1.0), "7-stopped", "acknowledgeButton", true},
-          {isStopped, Seconds(0.3), "", "resetStopButton", true},
-          {in(Phase::kPaused), Seconds(0.5), "8-paused", "startButton"},
-          {in(Phase::kTraining), Seconds(5.0), "", "themeButton"},
-          {in(Phase::kTraining), Seconds(1.0), "9-dark", "themeButton"},
-          {in(Phase::kTraining), Seconds(0.5), "", "finishButton"},
-          {canReport, Seconds(0.5), "", "makeReportButton"},
-          {canReport, Seconds(4.0), "10-report", ""}};
-}
-
-Tour::Tour(ui::MainWindow& window, std::filesystem::path folder)
-    : window_(window), folder_(std::move(folder)), stages_(stages()) {
+Tour::Tour(QWidget& window, std::vector<Stage> stages, std::filesystem::path folder)
+    : window_(window), folder_(std::move(folder)), stages_(std::move(stages)) {
   timer_.setInterval(std::chrono::milliseconds(100));
   connect(&timer_, &QTimer::timeout, this, &Tour::look);
 }
@@ -58,27 +24,13 @@ void Tour::start() {
 void Tour::look() {
   const TimePoint now = Clock::now();
   const Stage& stage = stages_[stage_];
-  const SessionState& state = window_.session().state();
-  const bool ready = !isInterrupted(state) && stage.ready(state);
+  const bool ready = !isInterrupted() && stage.ready();
   if (ready && !ready_) ready_since_ = now;
   ready_ = ready_ || ready;
   if (ready && now - ready_since_ >= stage.settle) return act(stage);
-  if (now - waiting_since_ > kPatience)
+  if (now - waiting_since_ > stage.patience)
     fail("the tour waited in vain before '" + std::string(*stage.press != '\0' ? stage.press : stage.shot) +
          "'");
-}
-
-// A target that left the view stops the robot; a therapist resets that and goes on.
-bool Tour::isInterrupted(const SessionState& state) {
-  if (state.stopped && !stages_[stage_].stop_wanted) {
-    press("resetStopButton");
-    resuming_ = true;
-  } else if (resuming_ && in(Phase::kPaused)(state)) {
-    press("startButton");
-  } else {
-    resuming_ = false;
-  }
-  return resuming_;
 }
 
 void Tour::act(const Stage& stage) {
