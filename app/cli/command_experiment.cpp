@@ -11,8 +11,9 @@
 
 namespace mirrorarm::cli {
 
-void addExperimentCommand(CLI::App& experiment, Context& context, const std::string& name,
-                          const std::string& description, const std::function<ExperimentReport()>& measure) {
+CLI::App* addExperimentCommand(CLI::App& experiment, Context& context, const std::string& name,
+                               const std::string& description,
+                               const std::function<ExperimentReport()>& measure) {
   CLI::App* command = addCommand(experiment, context, name, description,
                                  "mirrorarm-cli experiment " + name + " --out results");
   const auto out = std::make_shared<std::filesystem::path>();
@@ -25,6 +26,7 @@ void addExperimentCommand(CLI::App& experiment, Context& context, const std::str
     orFail(writeWhole(*out / (name + ".md"), [&](std::ostream& file) { file << report.table; }));
     if (!context.json) std::cout << report.table;
   });
+  return command;
 }
 
 std::string fixedNumber(double value, int digits) {
@@ -37,6 +39,7 @@ std::string fixedNumber(double value, int digits) {
 void addExperiment(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("experiment", "Repeat the paper's experiments beside its figures");
   command->require_subcommand(1);
+  addExperimentAccuracy(*command, context);
   addExperimentOcclusion(*command, context);
   addExperimentTiming(*command, context);
 }

@@ -10,6 +10,7 @@
 namespace mirrorarm::cli {
 
 // The subcommands of `experiment`, one a file: app/cli/experiment_<name>.cpp.
+void addExperimentAccuracy(CLI::App& experiment, Context& context);
 void addExperimentOcclusion(CLI::App& experiment, Context& context);
 void addExperimentTiming(CLI::App& experiment, Context& context);
 
@@ -20,9 +21,10 @@ struct ExperimentReport {
 };
 
 /// Adds `experiment <name> --out DIR`, which calls `measure` (throws InputRefused) and writes DIR/<name>.json
-/// and the table DIR/<name>.md, each whole or not at all.
-void addExperimentCommand(CLI::App& experiment, Context& context, const std::string& name,
-                          const std::string& description, const std::function<ExperimentReport()>& measure);
+/// and the table DIR/<name>.md, each whole or not at all. Gives the command, for options of its own.
+CLI::App* addExperimentCommand(CLI::App& experiment, Context& context, const std::string& name,
+                               const std::string& description,
+                               const std::function<ExperimentReport()>& measure);
 
 /// `value` with a fixed number of digits, "-" when it is none.
 [[nodiscard]] std::string fixedNumber(double value, int digits);
