@@ -4,6 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "benchmarks/calibration/suite.h"
 #include "benchmarks/tracking/suite.h"
 #include "benchmarks/vision/suite.h"
 #include "core/common/time.h"
@@ -23,7 +24,7 @@ bool isAsked(const Scenario& scenario, const RunOptions& options) {
 
 }  // namespace
 
-std::vector<Suite> suites() { return {tracking::suite(), vision::suite()}; }
+std::vector<Suite> suites() { return {calibration::suite(), tracking::suite(), vision::suite()}; }
 
 Report runSuite(const Suite& suite, const RunOptions& options) {
   refuseUnknown(suite, options);
