@@ -1,6 +1,7 @@
 #include "benchmarks/calibration/opencv_stereo.h"
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include <opencv2/calib3d.hpp>
@@ -15,10 +16,12 @@ struct CvViews {
   std::array<std::vector<std::vector<cv::Point2f>>, 2> seen;
 };
 
+/// Views that show all points alone: OpenCV's fisheye code takes the first view's number for that of all.
 CvViews cvViews(const Board& board, std::span<const BoardView> views) {
   const auto points = boardPoints(board);
   CvViews result;
   for (const auto& view : views) {
+    if (seenByBoth(view).size() < points.size()) continue;
     std::vector<cv::Point3f> corners;
     std::array<std::vector<cv::Point2f>, 2> pixels;
     for (const auto& [left, right] : seenByBoth(view)) {
@@ -68,15 +71,32 @@ double solvePinhole(const CvViews& views, cv::Size size, std::array<cv::Matx33d,
                              kRadialOnly | cv::CALIB_USE_INTRINSIC_GUESS, kThorough);
 }
 
+/// OpenCV's own start gives no numbers for this lens: it is told the data sheet's angle.
+constexpr double kAngle_rad = 135.0 / 180.0 * std::numbers::pi;
+
 double solveFisheye(const CvViews& views, cv::Size size, std::array<cv::Matx33d, 2>& K,
                     std::array<std::vector<double>, 2>& distortion, cv::Matx33d& R, cv::Vec3d& t) {
-  const int flags = cv::fisheye::CALIB_RECOMPUTE_EXTRINSIC | cv::fisheye::CALIB_FIX_SKEW;
-  for (std::size_t k = 0; k < 2; ++k)
-    cv::fisheye::calibrate(views.board, views.seen[k], size, K[k], distortion[k], cv::noArray(),
-                           cv::noArray(), flags, kThorough);
-  return cv::fisheye::stereoCalibrate(
-      views.board, views.seen[0], views.seen[1], K[0], distortion[0], K[1], distortion[1], size, R, t,
-      cv::fisheye::CALIB_FIX_SKEW | cv::fisheye::CALIB_USE_INTRINSIC_GUESS, kThorough);
+  const int flags = cv::fisheye::CALIB_FIX_SKEW | cv::fisheye::CALIB_USE_INTRINSIC_GUESS;
+  const double f_px = size.width / kAngle_rad;
+  std::array<cv::Mat, 2> pinhole, bend;
+  for (std::size_t k = 0; k < 2; ++k) {
+    pinhole[k] = cv::Mat(
+        cv::Matx33d(f_px, 0.0, 0.5 * (size.width - 1), 0.0, f_px, 0.5 * (size.height - 1), 0.0, 0.0, 1.0));
+    bend[k] = cv::Mat::zeros(4, 1, CV_64F);
+    cv::fisheye::calibrate(views.board, views.seen[k], size, pinhole[k], bend[k], cv::noArray(),
+                           cv::noArray(), flags | cv::fisheye::CALIB_RECOMPUTE_EXTRINSIC, kThorough);
+  }
+  cv::Mat rotation, translation;
+  const double rms_px =
+      cv::fisheye::stereoCalibrate(views.board, views.seen[0], views.seen[1], pinhole[0], bend[0], pinhole[1],
+                                   bend[1], size, rotation, translation, flags, kThorough);
+  for (std::size_t k = 0; k < 2; ++k) {
+    K[k] = cv::Matx33d(pinhole[k]);
+    distortion[k] = bend[k].reshape(1, 4);
+  }
+  R = cv::Matx33d(rotation);
+  t = cv::Vec3d(translation);
+  return rms_px;
 }
 
 }  // namespace

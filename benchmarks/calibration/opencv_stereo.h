@@ -15,8 +15,8 @@ struct OpenCvStereo {
 };
 
 /// The same views by OpenCV's own bundle adjustment: each camera alone, then both and the bar together; two
-/// radial terms (brown_conrady) or four (kannala_brandt); points that both cameras see. Nothing where OpenCV
-/// gives up.
+/// radial terms (brown_conrady) or four (kannala_brandt); views of which both cameras show all points.
+/// Nothing where OpenCV gives up.
 [[nodiscard]] std::optional<OpenCvStereo> solveByOpenCv(
     const mirrorarm::calibration::Board& board, std::span<const mirrorarm::calibration::BoardView> views,
     mirrorarm::calibration::ImageSize size, camera::LensModel model);

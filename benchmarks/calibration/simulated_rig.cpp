@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -33,7 +34,11 @@ void take(Worst& worst, const experiments::RigTrial& trial) {
   worst.shape_mm = std::max(worst.shape_mm, ours.shape_rms_mm);
   const auto& lens = trial.true_rig.left.intrinsics();
   const auto by_opencv = solveByOpenCv(trial.plate, trial.views, {lens.width_px, lens.height_px}, lens.model);
-  if (!by_opencv) return;
+  if (!by_opencv) {
+    worst.opencv_rms_px = worst.opencv_bias_mm = worst.opencv_shape_mm =
+        std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   const RigBias theirs = experiments::biasOf(by_opencv->rig, trial.true_rig, cuboid_C);
   worst.opencv_rms_px = std::max(worst.opencv_rms_px, by_opencv->rms_px);
   worst.opencv_bias_mm = std::max(worst.opencv_bias_mm, theirs.rms_mm);
