@@ -35,11 +35,6 @@ station::StationSettings stationSettings(const WorkstationOrder& order) {
   return settings;
 }
 
-/// The simulated bench knows its calibrations exactly until one is in force.
-bool needsCalibrations(const station::Equipment& equipment, const calibration::InForce& in_force) {
-  return !equipment.simulated || in_force.rig || in_force.hand_eye || in_force.clock || in_force.drift;
-}
-
 ui::Workplace workplaceOf(const station::Equipment& equipment, const station::StationSettings& settings) {
   ui::Workplace workplace;
   workplace.rig = equipment.rig;
@@ -97,7 +92,8 @@ Expected<Leaving, std::string> runSession(const WorkstationOrder& order, const u
   const auto equipment = station::calibrated(station::equipmentOf(**bench), *in_force, validity);
   const auto settings = stationSettings(order);
   auto workplace = workplaceOf(equipment, settings);
-  if (needsCalibrations(equipment, *in_force)) workplace.calibrations = validity;
+  // The simulated bench knows its calibrations exactly until one is in force.
+  if (!equipment.simulated || !in_force->empty()) workplace.calibrations = validity;
   station::Station station(equipment, settings);
   ui::MainWindow window(station, std::move(workplace), themes, sessionReportsOf(store));
   instructPatient(window.session(), **bench);

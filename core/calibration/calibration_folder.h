@@ -22,6 +22,8 @@ struct InForce {
   std::optional<HandEye> hand_eye;
   std::optional<ClockRecord> clock;
   std::optional<DriftRecord> drift;  ///< the newest check of rig and hand-eye
+
+  [[nodiscard]] bool empty() const { return !rig && !hand_eye && !clock && !drift; }
 };
 
 /// The four things that a workstation calibrates or checks.

@@ -4,8 +4,7 @@ namespace mirrorarm::station {
 
 Equipment calibrated(Equipment devices, const calibration::InForce& in_force,
                      const calibration::Validity& validity) {
-  const bool none = !in_force.rig && !in_force.hand_eye && !in_force.clock && !in_force.drift;
-  if (none && devices.simulated) return devices;
+  if (in_force.empty() && devices.simulated) return devices;
   const bool in_hand = in_force.hand_eye && in_force.hand_eye->mount == calibration::CameraMount::kInHand;
   devices.calibration_holds = in_hand && validity.allowsSession();
   if (in_force.rig) devices.rig = *in_force.rig;

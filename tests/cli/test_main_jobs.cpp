@@ -144,10 +144,52 @@ TEST(MainJobs, DoctorSpeaksJson) {
   EXPECT_TRUE(done.json().is_object());
 }
 
+TEST(MainJobs, DoctorTellsTheCalibrationsInForce) {
+  const test::ScratchFolder scratch;
+  const auto none = run("doctor --json --calibrations " + scratch.path().string());
+  ASSERT_EQ(none.exit_code, 0) << none.err;
+  const auto result = none.json()["calibrations"];
+  EXPECT_EQ(result["session_allowed"], false);
+  for (const char* kind : {"rig", "hand_eye", "clock", "drift"})
+    EXPECT_EQ(result[kind]["standing"], "missing");
+  const auto broken = scratch.holding("in_force.yaml", "format: mirrorarm/in-force/1\nrig: \"gone\"\n");
+  const auto refused = run("doctor --json --calibrations " + scratch.path().string());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("gone"), std::string::npos) << refused.err;
+}
+
+TEST(MainJobs, TwoRealClocksAreBroughtTogether) {
+  const auto folder = shared("ethz-handeye");
+  SKIP_WITHOUT(folder);
+  const test::ScratchFolder scratch;
+  const auto done = run("calibrate clock " + (folder / "2017-04-09-18-13-10_vicon_prime_sense.csv").string() +
+                        " " + (folder / "2017-04-09-18-13-10_W_camera_rgb_image_raw.csv").string() +
+                        " --json --out " + (scratch / "clock.yaml").string());
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const auto result = done.json();
+  EXPECT_NEAR(result["offset_ms"], 40.0, 10.0);
+  EXPECT_LE(result["residual_mm"], 9.0);
+  EXPECT_LE(result["residual_deg"], 1.2);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "clock.yaml"));
+}
+
+TEST(MainJobs, ABoardOfAnotherSizeIsRefusedByName) {
+  const auto folder = shared("opencv-chess-stereo");
+  SKIP_WITHOUT(folder);
+  const test::ScratchFolder scratch;
+  const auto out = scratch / "rig.yaml";
+  const auto done = run("calibrate stereo " + folder.string() + " " + folder.string() +
+                        " --board chessboard:7x6:0.025 --out " + out.string());
+  EXPECT_EQ(done.exit_code, 2);
+  EXPECT_NE(done.err.find("beyond 7x6"), std::string::npos) << done.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(MainJobs, EveryCommandShowsAnExample) {
   for (const std::string command :
        {"session", "simulate", "detect", "track", "teach", "calibrate stereo", "calibrate mono",
-        "calibrate hand-eye", "doctor", "experiment occlusion", "experiment timing", "target check", "arm"}) {
+        "calibrate hand-eye", "calibrate clock", "doctor", "experiment accuracy", "experiment occlusion",
+        "experiment timing", "listen", "target check", "arm"}) {
     const auto help = run(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_NE(help.out.find("Example:"), std::string::npos) << command;

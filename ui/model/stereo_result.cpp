@@ -87,9 +87,9 @@ void addSigmas(const calibration::StereoCalibration& result, ResultRows& rows) {
   for (std::size_t i = 0; i < camera.size(); ++i) {
     const auto& sigma = result.lens_sigma[i];
     rows.add(StereoResult::tr("Focal length, %1").arg(camera[i]),
-             Quantity{std::max(sigma.fx_px, sigma.fy_px), Unit::kPixel, 2});
+             Quantity{std::max(sigma.fx_px, sigma.fy_px), Unit::kPixel, 4});
     rows.add(StereoResult::tr("Principal point, %1").arg(camera[i]),
-             Quantity{std::max(sigma.cx_px, sigma.cy_px), Unit::kPixel, 2});
+             Quantity{std::max(sigma.cx_px, sigma.cy_px), Unit::kPixel, 4});
   }
 }
 
