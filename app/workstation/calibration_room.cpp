@@ -1,8 +1,7 @@
 #include "app/workstation/calibration_room.h"
 
-#include <QApplication>
-
 #include "app/workstation/calibration_tour.h"
+#include "app/workstation/room_window.h"
 #include "core/calibration/validity.h"
 #include "core/common/resources.h"
 #include "core/common/time_source.h"
@@ -39,27 +38,6 @@ ui::InForceView inForceIn(const calibration::CalibrationFolder& folder, const ca
   return {ui::standingLines(validity), in_force.rig ? *in_force.rig : built};
 }
 
-Leaving show(ui::CalibrationWindow& window, const WorkstationOrder& order) {
-  Leaving leaving;
-  QObject::connect(&window, &ui::CalibrationWindow::sessionWanted, &window, [&leaving] {
-    leaving.next = Room::kSession;
-    QApplication::quit();
-  });
-  if (order.calibrate) window.presenter().choose(*order.calibrate);
-  window.resize(order.size_px[0], order.size_px[1]);
-  window.setDark(order.dark);
-  window.show();
-  window.start();
-  CalibrationTour tour(window, order.tour);
-  if (!order.tour.empty()) {
-    QObject::connect(&tour, &Tour::finished, qApp, &QApplication::exit, Qt::QueuedConnection);
-    tour.start();
-  }
-  leaving.exit_code = QApplication::exec();
-  leaving.dark = window.isDark();
-  return leaving;
-}
-
 }  // namespace
 
 Expected<Leaving, std::string> runCalibration(const WorkstationOrder& order, const ui::Themes& themes) {
@@ -72,7 +50,9 @@ Expected<Leaving, std::string> runCalibration(const WorkstationOrder& order, con
   station::CalibrationStation station(equipment, stationSettings(order));
   ui::CalibrationWindow window(station, {kPlate, equipment.simulated}, themes,
                                [&] { return inForceIn(folder, equipment.rig); });
-  return show(window, order);
+  if (order.calibrate) window.presenter().choose(*order.calibrate);
+  CalibrationTour tour(window, order.tour);
+  return show(window, tour, &ui::CalibrationWindow::sessionWanted, Room::kSession, order);
 }
 
 }  // namespace mirrorarm::workstation

@@ -1,7 +1,6 @@
 #include "app/workstation/session_room.h"
 
-#include <QApplication>
-
+#include "app/workstation/room_window.h"
 #include "app/workstation/session_reports.h"
 #include "app/workstation/session_tour.h"
 #include "core/calibration/validity.h"
@@ -57,26 +56,6 @@ void instructPatient(ui::SessionPresenter& session, simulation::Bench& bench) {
   });
 }
 
-Leaving show(ui::MainWindow& window, const WorkstationOrder& order) {
-  Leaving leaving;
-  QObject::connect(&window, &ui::MainWindow::calibrationWanted, &window, [&leaving] {
-    leaving.next = Room::kCalibration;
-    QApplication::quit();
-  });
-  window.resize(order.size_px[0], order.size_px[1]);
-  window.setDark(order.dark);
-  window.show();
-  window.start();
-  SessionTour tour(window, order.tour);
-  if (!order.tour.empty()) {
-    QObject::connect(&tour, &Tour::finished, qApp, &QApplication::exit, Qt::QueuedConnection);
-    tour.start();
-  }
-  leaving.exit_code = QApplication::exec();
-  leaving.dark = window.isDark();
-  return leaving;
-}
-
 }  // namespace
 
 Expected<Leaving, std::string> runSession(const WorkstationOrder& order, const ui::Themes& themes) {
@@ -97,7 +76,8 @@ Expected<Leaving, std::string> runSession(const WorkstationOrder& order, const u
   station::Station station(equipment, settings);
   ui::MainWindow window(station, std::move(workplace), themes, sessionReportsOf(store));
   instructPatient(window.session(), **bench);
-  return show(window, order);
+  SessionTour tour(window, order.tour);
+  return show(window, tour, &ui::MainWindow::calibrationWanted, Room::kCalibration, order);
 }
 
 }  // namespace mirrorarm::workstation

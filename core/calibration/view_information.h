@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -23,19 +22,8 @@ class RigInformation {
   [[nodiscard]] Eigen::MatrixXd of(const RigidTransform& X_CM) const;
 
  private:
-  /// A camera and, for each of its numbers, the camera a little below and above it.
-  struct Lens {
-    camera::CameraModel camera;
-    std::vector<std::array<camera::CameraModel, 2>> beside;
-    std::vector<double> step;
-  };
-  [[nodiscard]] static Lens lensOf(const camera::CameraModel& camera);
-  void addPoint(const Eigen::Vector3d& p_M, const RigidTransform& X_CM, Eigen::MatrixXd& equations) const;
-  [[nodiscard]] Eigen::Index terms() const;
-
   camera::StereoRig rig_;
   std::vector<Eigen::Vector3d> board_;
-  std::array<Lens, 2> lenses_;
 };
 
 /// The same for the camera on the flange and a board that stands still: of small motions of C and of M.
