@@ -1,7 +1,5 @@
 #include "app/workstation/workstation_order.h"
 
-#include <QStandardPaths>
-
 #include "core/common/resources.h"
 
 namespace mirrorarm::workstation {
@@ -9,9 +7,7 @@ namespace mirrorarm::workstation {
 std::filesystem::path storeOf(const WorkstationOrder& order) {
   if (!order.store.empty()) return order.store;
   if (!order.tour.empty()) return order.tour / "store.sqlite";
-  return std::filesystem::path(
-             QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
-         "store.sqlite";
+  return dataFolder() / "store.sqlite";
 }
 
 std::filesystem::path calibrationsOf(const WorkstationOrder& order) {
