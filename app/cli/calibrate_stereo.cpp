@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/calibrate_commands.h"
+#include "core/calibration/point_residuals.h"
 #include "core/calibration/stereo_calibration.h"
 #include "core/camera/rig_file.h"
+#include "core/common/atomic_file.h"
 #include "core/common/calendar.h"
 
 namespace mirrorarm::cli {
@@ -19,6 +21,7 @@ struct Wish : LensWish {
   std::string right;
   std::string left_serial;
   std::string right_serial;
+  std::string residuals;
   std::size_t hold_out = 0;
 };
 
@@ -44,6 +47,13 @@ void complete(const Wish& wish, camera::CalibrationNote& note) {
   note.right_serial = wish.right_serial;
 }
 
+void writeResiduals(std::ostream& out, const std::vector<calibration::PointResidual>& residuals) {
+  out << "view,camera,point,dx_px,dy_px\n";
+  for (const auto& [view, camera, point, offset_px] : residuals)
+    out << view << ',' << (camera == 0 ? "left" : "right") << ',' << point << ',' << offset_px.x() << ','
+        << offset_px.y() << '\n';
+}
+
 void run(const Wish& wish, Context& context) {
   const auto board = wishedBoard(wish);
   const auto images = orRefuse(calibration::readBoardImagePairs(wish.left, wish.right, board));
@@ -51,6 +61,10 @@ void run(const Wish& wish, Context& context) {
   if (!solved) refuseViews(wish.left, solved.error(), images);
   complete(wish, solved->rig.calibration);
   orFail(camera::writeRig(wish.out, solved->rig));
+  if (!wish.residuals.empty())
+    orFail(writeWhole(wish.residuals, [&](std::ostream& out) {
+      writeResiduals(out, pointResiduals(solved->rig, board, images.views));
+    }));
   const auto report = reportOf(*solved);
   const double baseline_mm = solved->rig.X_RC.translation().norm() * 1e3;
   fillLensReport(report, images, context);
@@ -78,6 +92,8 @@ void addCalibrateStereo(CLI::App& calibrate, Context& context) {
           "Keep every N-th view out of the solution and measure on it; the rig is solved from the others. "
           "Without: solved from all, measured by cross-validation")
       ->check(CLI::Range(2, 1000));
+  command->add_option("--residuals", wish->residuals,
+                      "A table of every point's distance from where the rig puts it, CSV");
   command->add_option("--left-serial", wish->left_serial, "Serial number of the left camera, for the record");
   command->add_option("--right-serial", wish->right_serial, "The same of the right one");
   command->callback([wish, &context] { run(*wish, context); });
