@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/calibration/timed_path.h"
+
 namespace mirrorarm::experiments {
 namespace {
 
@@ -17,32 +19,14 @@ constexpr double kNewPlace_m = 1e-3;
 constexpr std::size_t kFewestStandstills = 8;
 constexpr double kRadianInDegrees = 180.0 / std::numbers::pi;
 
-/// A stream of poses, asked at any time.
-class Stream {
- public:
-  explicit Stream(std::span<const TimedPose> poses) : poses_(poses) {}
-
-  /// Nothing outside it.
-  [[nodiscard]] std::optional<RigidTransform> at(double time_s) const {
-    const auto after = std::ranges::lower_bound(poses_, time_s, {}, &TimedPose::time_s);
-    if (after == poses_.end() || after == poses_.begin()) return std::nullopt;
-    const auto before = after - 1;
-    const double share = (time_s - before->time_s) / (after->time_s - before->time_s);
-    return interpolate(before->X, after->X, share);
-  }
-
-  /// The pose at a time around which nothing moved.
-  [[nodiscard]] std::optional<RigidTransform> stillAt(double time_s) const {
-    const auto now = at(time_s), before = at(time_s - kAround_s), after = at(time_s + kAround_s);
-    if (!now || !before || !after) return std::nullopt;
-    const double moved_m = std::max((before->translation() - now->translation()).norm(),
-                                    (after->translation() - now->translation()).norm());
-    return moved_m < kStill_m ? now : std::nullopt;
-  }
-
- private:
-  std::span<const TimedPose> poses_;
-};
+/// The pose at a time around which nothing moved.
+std::optional<RigidTransform> stillAt(const calibration::TimedPath& path, double time_s) {
+  const auto now = path.at(time_s), before = path.at(time_s - kAround_s), after = path.at(time_s + kAround_s);
+  if (!now || !before || !after) return std::nullopt;
+  const double moved_m = std::max((before->translation() - now->translation()).norm(),
+                                  (after->translation() - now->translation()).norm());
+  return moved_m < kStill_m ? now : std::nullopt;
+}
 
 /// The object in the truth's base, pose by pose of one standstill.
 struct Standstill {
@@ -52,10 +36,11 @@ struct Standstill {
 
 std::vector<Standstill> standstillsOf(std::span<const TimedPose> truth, std::span<const TimedPose> camera,
                                       const RigidTransform& X_FC, double offset_s) {
-  const Stream stream(truth);
   std::vector<Standstill> standstills;
+  if (truth.size() < 2) return standstills;
+  const calibration::TimedPath path(truth);
   for (const auto& seen : camera) {
-    const auto X_BF = stream.stillAt(seen.time_s + offset_s);
+    const auto X_BF = stillAt(path, seen.time_s + offset_s);
     if (!X_BF) continue;
     const Vector3d place = X_BF->translation();
     if (standstills.empty() || (standstills.back().flange_B - place).norm() > kNewPlace_m)

@@ -7,7 +7,6 @@
 namespace mirrorarm::simulation {
 namespace {
 
-constexpr double kAngleNoise_rad = 1e-5;
 constexpr Clock::duration kStep = std::chrono::milliseconds(1);
 constexpr Clock::duration kLongestGap = std::chrono::milliseconds(500);
 

@@ -11,6 +11,9 @@
 
 namespace mirrorarm::simulation {
 
+/// Of an angle as the encoders give it, standard deviation.
+inline constexpr double kAngleNoise_rad = 1e-5;
+
 /// A robot arm that moves as its drives let it. Time passes for it when it is read or commanded; what it did
 /// in the last seconds can be asked from other threads (one mutex, held for a copy).
 class SimulatedRobot final : public robot::RobotLink {
@@ -19,7 +22,7 @@ class SimulatedRobot final : public robot::RobotLink {
   SimulatedRobot(const robot::ArmDescription& arm, const robot::Joints& start, const TimeSource& time,
                  std::uint64_t seed);
 
-  /// Angles as the encoders give them, 1e-5 rad of noise, and speeds as the drives regulate them; kNoAnswer
+  /// Angles as the encoders give them, with their noise, and speeds as the drives regulate them; kNoAnswer
   /// while silent.
   [[nodiscard]] Expected<robot::RobotState, robot::LinkFault> read() noexcept override;
   /// kNoAnswer while silent: the robot then brakes by itself, as a controller does that has lost its host.
