@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "benchmarks/calibration/suite.h"
+#include "benchmarks/robot/suite.h"
 #include "benchmarks/tracking/suite.h"
 #include "benchmarks/vision/suite.h"
 #include "core/common/time.h"
@@ -24,7 +25,7 @@ bool isAsked(const Scenario& scenario, const RunOptions& options) {
 
 }  // namespace
 
-std::vector<Suite> suites() { return {calibration::suite(), tracking::suite(), vision::suite()}; }
+std::vector<Suite> suites() { return {calibration::suite(), robot::suite(), tracking::suite(), vision::suite()}; }
 
 Report runSuite(const Suite& suite, const RunOptions& options) {
   refuseUnknown(suite, options);

@@ -9,7 +9,7 @@ namespace {
 constexpr double kFarOff_s = 0.050;
 constexpr double kCatchUp_1_s = 1.0;  // hurry for each second that the beat is behind
 constexpr double kMostHurry = 0.02;
-constexpr double kMostChange = 0.0005;  // of the hurry in a cycle: 0.024 rad/s^2 at 0.24 rad/s and 200 Hz
+constexpr double kMostChange_1_s = 0.1;  // of the hurry: 0.024 rad/s^2 at 0.24 rad/s
 
 }  // namespace
 
@@ -21,7 +21,8 @@ TimePoint Beat::next(TimePoint now) noexcept {
     return last_ = now;
   }
   const double wanted = std::clamp(kCatchUp_1_s * behind, -kMostHurry, kMostHurry);
-  hurry_ += std::clamp(wanted - hurry_, -kMostChange, kMostChange);
+  const double change = kMostChange_1_s * period_.count();
+  hurry_ += std::clamp(wanted - hurry_, -change, change);
   return last_ += toClock((1.0 + hurry_) * period_);
 }
 

@@ -127,7 +127,7 @@ struct ServoLoop::Body {
   }
 
   void send() noexcept {
-    const auto sent = link.command(last.q_rad);
+    const auto sent = link.command({last.q_rad, {}});
     if (sent || !cannotMove(sent.error())) return;  // a silent robot is the watchdog's business
     fault = sent.error();
     latch.stop(StopReason::kRobotFault);

@@ -9,6 +9,7 @@ namespace {
 constexpr double kJointSpeed_rad_s = 0.24;
 constexpr double kBigJointAcceleration_rad_s2 = 0.5;  // of the two that carry the whole arm
 constexpr double kJointAcceleration_rad_s2 = 0.8;
+constexpr double kJointJerk_rad_s3 = 40.0;  // full acceleration within 20 ms
 constexpr double kToolAcceleration_m_s2 = 0.8;
 constexpr int kBigJoints = 2;
 constexpr double kLargestMargin = 0.25;  // of a joint's range
@@ -25,8 +26,13 @@ std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescript
   const auto* const found = std::ranges::find(kProfiles, profile, &Profile::name);
   if (found == kProfiles.end()) return std::nullopt;
   const int n = arm.jointCount();
-  MotionLimits limits{
-      Joints(n), Joints(n), Joints(n), Joints(n), found->tool_speed_m_s, kToolAcceleration_m_s2};
+  MotionLimits limits{Joints(n),
+                      Joints(n),
+                      Joints(n),
+                      Joints(n),
+                      Joints::Constant(n, kJointJerk_rad_s3),
+                      found->tool_speed_m_s,
+                      kToolAcceleration_m_s2};
   for (int i = 0; i < n; ++i) {
     const auto& joint = arm.joints[static_cast<std::size_t>(i)];
     const double margin = std::min(margin_rad, kLargestMargin * (joint.upper_rad - joint.lower_rad));

@@ -16,11 +16,13 @@ struct MotionLimits {
   Joints upper_rad;
   Joints max_speed_rad_s;
   Joints max_acceleration_rad_s2;
+  Joints max_jerk_rad_s3;  ///< the paper names none: see docs/adr/0010-following-without-rests.md
   double max_tool_speed_m_s = 0.0;
   double max_tool_acceleration_m_s2 = 0.0;
 };
 
-/// Named profiles: "therapy" (joints 0.24 rad/s and 0.5 or 0.8 rad/s^2, tool 0.24 m/s and 0.8 m/s^2), "t1"
+/// Named profiles: "therapy" (joints 0.24 rad/s, 0.5 or 0.8 rad/s^2 and 40 rad/s^3,
+/// tool 0.24 m/s and 0.8 m/s^2), "t1"
 /// (the same joints, tool 0.25 m/s) and "head" (tool 0.13 m/s). Joint ranges come from the arm, `margin_rad`
 /// inside (at most a quarter of the range). Nothing for an unknown name.
 [[nodiscard]] std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescription& arm,

@@ -12,6 +12,8 @@ std::string_view id(LinkFault fault) {
       return "not_ready";
     case LinkFault::kDriveFault:
       return "drive_fault";
+    case LinkFault::kPoorLine:
+      return "poor_line";
   }
   return "unknown";
 }

@@ -5,20 +5,36 @@
 
 #include "core/common/expected.h"
 #include "core/common/time.h"
+#include "core/robot/compliance.h"
 #include "core/robot/joints.h"
 
 namespace mirrorarm::robot {
 
 /// What the robot measured.
 struct RobotState {
-  Joints q_rad;
-  Joints v_rad_s;
+  Joints q_rad{};
+  Joints v_rad_s{};
+  /// By what acts on the arm from outside, as the robot's own model tells it; empty where it has no such
+  /// sensors.
+  Joints external_torque_nm{};
   TimePoint measured_at{};
 };
 
+/// What the robot is to do in the next cycle.
+struct RobotCommand {
+  Joints q_rad{};
+  Compliance compliance{};  ///< heeded as far as the robot is set to give way: see RobotLink::givesWay
+};
+
 /// Why the link does not answer or obey.
-enum class LinkFault : std::uint8_t { kNone, kNoAnswer, kNotReady, kDriveFault };
-/// "none", "no_answer", "not_ready", "drive_fault".
+enum class LinkFault : std::uint8_t {
+  kNone,
+  kNoAnswer,    ///< no message, or none that can be believed
+  kNotReady,    ///< it answers, but does not take commands (now)
+  kDriveFault,  ///< its drives, or what it was told, are at fault
+  kPoorLine,    ///< messages come late, doubled or not at all too often for it to be moved
+};
+/// "none", "no_answer", "not_ready", "drive_fault", "poor_line".
 [[nodiscard]] std::string_view id(LinkFault fault);
 
 /// A robot arm: real, simulated or replayed. Used by the servo thread only; no call allocates or waits longer
@@ -29,13 +45,20 @@ class RobotLink {
 
   /// Newest measured state; a fault when none came since the cycle before.
   [[nodiscard]] virtual Expected<RobotState, LinkFault> read() noexcept = 0;
-  /// Joint positions for the next cycle [rad].
-  [[nodiscard]] virtual Expected<void, LinkFault> command(const Joints& q_rad) noexcept = 0;
-  /// Brakes to rest within the robot's own limits. The way out of every failure; may be called again and
+  /// What to do in the next cycle.
+  [[nodiscard]] virtual Expected<void, LinkFault> command(const RobotCommand& command) noexcept = 0;
+  /// Brakes to rest within the robot's own limits and gives up control of it: the way out of every failure
+  /// (stop category 1, where the robot switches its drives off by itself afterwards). May be called again and
   /// again.
   virtual void halt() noexcept = 0;
   /// Cycle time that the link expects.
   [[nodiscard]] virtual Seconds period() const noexcept = 0;
+  /// Whether the robot's own messages set the pace; else the host keeps the beat.
+  [[nodiscard]] virtual bool setsThePace() const noexcept { return false; }
+  /// Waits for the robot's next message, at most so long. Only where it sets the pace.
+  virtual void awaitCycle(Seconds /*longest*/) noexcept {}
+  /// How the robot is set to give way to a force. Does not change while it moves.
+  [[nodiscard]] virtual GivesWay givesWay() const noexcept { return GivesWay::kNot; }
 };
 
 }  // namespace mirrorarm::robot

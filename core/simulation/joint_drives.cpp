@@ -51,7 +51,7 @@ bool JointDrives::referenceAt(TimePoint time, robot::Joints& reference) const no
 void JointDrives::advance(TimePoint to, Seconds step) noexcept {
   const double dt = step.count();
   robot::Joints reference(q_.size());
-  const bool following = referenceAt(to - toClock(2.0 * kCycle), reference);
+  const bool following = referenceAt(to - toClock(kDelay), reference);
   for (Eigen::Index i = 0; i < q_.size(); ++i) {
     if (following) {
       const double wanted = kStiffness_hz * (kStiffness_hz * (reference[i] - q_[i]) - 2.0 * v_[i]);

@@ -9,12 +9,13 @@
 
 namespace mirrorarm::simulation {
 
-/// The position drives of an arm: they follow the commands of two cycles ago (which they interpolate, as
-/// robot controllers do) as a critically damped second-order lag of 13 ms, within the joints' ranges and
-/// speeds; on halt they brake evenly. One thread; does not allocate.
+/// The position drives of an arm: they follow the commands of 10 ms ago (which they interpolate, as robot
+/// controllers do) as a critically damped second-order lag of 13 ms, within the joints' ranges and speeds; on
+/// halt they brake evenly. One thread; does not allocate.
 class JointDrives {
  public:
-  static constexpr Seconds kCycle{0.005};
+  static constexpr Seconds kCycle{0.001};
+  static constexpr Seconds kDelay{0.010};
 
   JointDrives(const robot::ArmDescription& arm, const robot::Joints& start);
 
@@ -38,7 +39,7 @@ class JointDrives {
 
   robot::Joints lower_, upper_, max_speed_;
   robot::Joints q_, v_;
-  std::array<Command, 16> commands_;
+  std::array<Command, 32> commands_;
   std::size_t next_ = 0;
   std::size_t count_ = 0;  ///< commands since the last halt, at most as many as are kept
 };

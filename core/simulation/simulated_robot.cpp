@@ -36,20 +36,20 @@ void SimulatedRobot::advance(TimePoint now) noexcept {
 Expected<robot::RobotState, robot::LinkFault> SimulatedRobot::read() noexcept {
   advance(time_.now());
   if (silent_.load(std::memory_order_relaxed)) return unexpected(robot::LinkFault::kNoAnswer);
-  robot::RobotState state{drives_.q(), drives_.v(), advanced_to_};
+  robot::RobotState state{.q_rad = drives_.q(), .v_rad_s = drives_.v(), .measured_at = advanced_to_};
   for (double& angle : state.q_rad) angle += kAngleNoise_rad * counterNormal(seed_, reading_++);
   return state;
 }
 
-Expected<void, robot::LinkFault> SimulatedRobot::command(const robot::Joints& q_rad) noexcept {
+Expected<void, robot::LinkFault> SimulatedRobot::command(const robot::RobotCommand& command) noexcept {
   advance(time_.now());
   if (silent_.load(std::memory_order_relaxed)) {
     drives_.halt();
     return unexpected(robot::LinkFault::kNoAnswer);
   }
-  if (q_rad.size() != drives_.q().size() || !q_rad.allFinite())
+  if (command.q_rad.size() != drives_.q().size() || !command.q_rad.allFinite())
     return unexpected(robot::LinkFault::kDriveFault);
-  drives_.command(advanced_to_, q_rad);
+  drives_.command(advanced_to_, command.q_rad);
   return {};
 }
 

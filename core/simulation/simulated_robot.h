@@ -27,7 +27,7 @@ class SimulatedRobot final : public robot::RobotLink {
   [[nodiscard]] Expected<robot::RobotState, robot::LinkFault> read() noexcept override;
   /// kNoAnswer while silent: the robot then brakes by itself, as a controller does that has lost its host.
   /// kDriveFault for a wish that is not finite or has the wrong number of joints, which is ignored.
-  [[nodiscard]] Expected<void, robot::LinkFault> command(const robot::Joints& q_rad) noexcept override;
+  [[nodiscard]] Expected<void, robot::LinkFault> command(const robot::RobotCommand& command) noexcept override;
   void halt() noexcept override;
   [[nodiscard]] Seconds period() const noexcept override { return JointDrives::kCycle; }
 

@@ -39,7 +39,7 @@ class ServoDigest {
 
  private:
   void notePeaks(const robot::Joints& v_rad_s);
-  static constexpr std::size_t kCycles = 2048;  ///< 10 s at 200 Hz
+  static constexpr std::size_t kCycles = 10'240;  ///< 10 s at 1 kHz
   robot::Kinematics kinematics_;
   const double period_s_;
   PoseHistory flange_;

@@ -12,6 +12,8 @@ namespace {
 
 /// Long enough to idle quietly, short enough that the program ends at once.
 constexpr Seconds kPatience{0.1};
+/// A robot that sets the pace may be silent so long before the watchdogs are asked.
+constexpr double kSilentCycles = 3.0;
 
 }  // namespace
 
@@ -54,8 +56,14 @@ struct Station::Body {
   }
 
   void serve(const std::stop_token& stop) {
-    atEvenBeat(stop, equipment.robot->period(), [this](TimePoint now) { stages.servo.step(now); });
-    equipment.robot->halt();
+    robot::RobotLink& robot = *equipment.robot;
+    if (!robot.setsThePace())
+      atEvenBeat(stop, robot.period(), [this](TimePoint now) { stages.servo.step(now); });
+    while (!stop.stop_requested()) {
+      robot.awaitCycle(kSilentCycles * robot.period());
+      stages.servo.step(Clock::now());
+    }
+    robot.halt();
   }
 
   void record(const std::stop_token& stop) {

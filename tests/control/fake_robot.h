@@ -13,15 +13,15 @@ class FakeRobot final : public robot::RobotLink {
     v_ = (next_ - q_) / period().count();
     q_ = next_;
     if (fault != robot::LinkFault::kNone) return unexpected(robot::LinkFault(fault));
-    robot::RobotState state{q_, v_, now};
+    robot::RobotState state{.q_rad = q_, .v_rad_s = v_, .measured_at = now};
     if (lies) state.q_rad[0] = std::nan("");
     return state;
   }
 
-  Expected<void, robot::LinkFault> command(const robot::Joints& q) noexcept override {
+  Expected<void, robot::LinkFault> command(const robot::RobotCommand& command) noexcept override {
     ++commands;
     if (fault != robot::LinkFault::kNone) return unexpected(robot::LinkFault(fault));
-    if (!stuck) next_ = q;
+    if (!stuck) next_ = command.q_rad;
     return {};
   }
 

@@ -100,7 +100,7 @@ TEST_F(BenchTest, TheCamerasRideOnTheRobot) {
   auto wish = bench->robot().read()->q_rad;
   for (int i = 0; i < 200; ++i) {
     wish[0] += 0.0005;
-    ASSERT_TRUE(bench->robot().command(wish));
+    ASSERT_TRUE(bench->robot().command({wish}));
     static_cast<void>(run(*bench, 0.005));
   }
   const auto frame = run(*bench, 0.2);
@@ -144,7 +144,7 @@ TEST_F(BenchTest, RunsInItsOwnPaceFromSeveralThreads) {
   });
   std::jthread servo([&](std::stop_token stop) {
     while (!stop.stop_requested()) {
-      if (const auto state = bench->robot().read()) static_cast<void>(bench->robot().command(state->q_rad));
+      if (const auto state = bench->robot().read()) static_cast<void>(bench->robot().command({state->q_rad}));
       static_cast<void>(bench->truthAt(steady.now()));
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

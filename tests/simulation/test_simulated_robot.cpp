@@ -39,7 +39,7 @@ TEST_F(SimulatedRobotTest, FollowsWithASmallLag) {
     const auto state = cycle();
     robot::Joints wish = startAngles();
     wish[0] += ramp;
-    ASSERT_TRUE(robot_.command(wish));
+    ASSERT_TRUE(robot_.command({wish}));
     if (t > 1.5) worst = std::max(worst, std::abs((wish[0] - state.q_rad[0]) / 0.1 - 0.026));
   }
   EXPECT_LT(worst, 0.008);  // two cycles and 13 ms, in seconds
@@ -51,7 +51,7 @@ TEST_F(SimulatedRobotTest, KeepsItsDrivesSpeed) {
   double fastest = 0.0;
   auto state = cycle();
   for (int i = 0; i < 800; ++i) {
-    ASSERT_TRUE(robot_.command(far));
+    ASSERT_TRUE(robot_.command({far}));
     state = cycle();
     fastest = std::max(fastest, std::abs(state.v_rad_s[0]));
   }
@@ -65,7 +65,7 @@ TEST_F(SimulatedRobotTest, HaltBrakesAndStays) {
   for (int i = 0; i < 200; ++i) {
     static_cast<void>(cycle());
     wish[0] += 0.001;
-    ASSERT_TRUE(robot_.command(wish));
+    ASSERT_TRUE(robot_.command({wish}));
   }
   robot_.halt();
   const double stopped_at = cycle().q_rad[0];
@@ -83,14 +83,14 @@ TEST_F(SimulatedRobotTest, SilenceGivesNoAnswerAndBrakes) {
   for (int i = 0; i < 200; ++i) {
     static_cast<void>(cycle());
     wish[3] += 0.001;
-    ASSERT_TRUE(robot_.command(wish));
+    ASSERT_TRUE(robot_.command({wish}));
   }
   robot_.silence(true);
   for (int i = 0; i < 60; ++i) {
     time_.set(time_.now() + kCycle);
     EXPECT_EQ(robot_.read().error(), robot::LinkFault::kNoAnswer);
     wish[3] += 0.001;
-    EXPECT_EQ(robot_.command(wish).error(), robot::LinkFault::kNoAnswer);
+    EXPECT_EQ(robot_.command({wish}).error(), robot::LinkFault::kNoAnswer);
   }
   robot_.silence(false);
   EXPECT_LT(cycle().v_rad_s.cwiseAbs().maxCoeff(), 1e-3);
@@ -99,8 +99,8 @@ TEST_F(SimulatedRobotTest, SilenceGivesNoAnswerAndBrakes) {
 TEST_F(SimulatedRobotTest, IgnoresWishesThatAreNone) {
   robot::Joints wish = startAngles();
   wish[2] = std::nan("");
-  EXPECT_EQ(robot_.command(wish).error(), robot::LinkFault::kDriveFault);
-  EXPECT_EQ(robot_.command(robot::Joints::Zero(6)).error(), robot::LinkFault::kDriveFault);
+  EXPECT_EQ(robot_.command({wish}).error(), robot::LinkFault::kDriveFault);
+  EXPECT_EQ(robot_.command({robot::Joints::Zero(6)}).error(), robot::LinkFault::kDriveFault);
   for (int i = 0; i < 20; ++i) EXPECT_LT((cycle().q_rad - startAngles()).cwiseAbs().maxCoeff(), 1e-4);
 }
 
@@ -110,7 +110,7 @@ TEST_F(SimulatedRobotTest, RemembersWhereItWas) {
   for (int i = 0; i < 400; ++i) {
     states.push_back(cycle());
     wish[5] += 0.0008;
-    ASSERT_TRUE(robot_.command(wish));
+    ASSERT_TRUE(robot_.command({wish}));
   }
   for (const auto& state : states)
     EXPECT_LT((robot_.jointsAt(state.measured_at) - state.q_rad).cwiseAbs().maxCoeff(), 1e-4);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "benchmarks/suite.h"
+
+namespace mirrorarm::benchmarks::robot {
+
+/// The robot that follows: kinematics, planning, motion, guard, links. docs/benchmarks.md says what each row
+/// means.
+[[nodiscard]] Suite suite();
+
+void measureMotion(Run& run);
+
+}  // namespace mirrorarm::benchmarks::robot
