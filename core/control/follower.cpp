@@ -78,7 +78,7 @@ struct Follower::Body {
     if (largest(*goal - commanded.q_rad) > settings.max_joint_step_rad)
       return {FollowOutcome::kJointRange, {}};
     const auto path = planner.plan(commanded.q_rad, *goal);
-    if (!path) return {outcomeOf(path.error()), {}};
+    if (!path) return {outcomeOf(path.error().why), {}};
     const Trajectory motion = timed(commanded, path->waypoints, now);
     // From a moving start the motion bends off the straight line that was checked.
     if (!isClear(motion)) return {FollowOutcome::kBlocked, {}};

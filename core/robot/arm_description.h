@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
@@ -19,6 +21,11 @@ struct JointDescription {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< in the joint frame
 };
 
+/// What a shape belongs to.
+enum class ArmPart : std::uint8_t { kLink, kCameraBar, kSling };
+/// "link", "camera_bar", "sling"
+[[nodiscard]] std::string_view id(ArmPart part);
+
 /// A cylinder with round ends around the segment from `a` to `b`, fixed to a link. Collision and drawing
 /// shape.
 struct Capsule {
@@ -26,6 +33,7 @@ struct Capsule {
   Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< in the link's frame [m]
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   double radius_m = 0.0;
+  ArmPart part = ArmPart::kLink;
 };
 
 /// A serial arm of turning joints. Frames: B base, F flange.

@@ -1,5 +1,6 @@
 #include "core/robot/collision.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -16,6 +17,13 @@ struct Part {
   int link = 0;
   RigidTransform X_link_shape = RigidTransform::Identity();
   fcl::CollisionObjectd object;
+  ArmPart part = ArmPart::kLink;
+};
+
+/// One obstacle and how it is called.
+struct Barrier {
+  fcl::CollisionObjectd object;
+  Contact contact;
 };
 
 Part partOf(const Capsule& capsule) {
@@ -24,9 +32,10 @@ Part partOf(const Capsule& capsule) {
   const Eigen::Vector3d middle = 0.5 * (capsule.a + capsule.b);
   if (axis.norm() < 1e-9)
     return {capsule.link, makeTransform(Eigen::Quaterniond::Identity(), middle),
-            fcl::CollisionObjectd(std::make_shared<fcl::Sphered>(capsule.radius_m))};
+            fcl::CollisionObjectd(std::make_shared<fcl::Sphered>(capsule.radius_m)), capsule.part};
   return {capsule.link, makeTransform(along, middle),
-          fcl::CollisionObjectd(std::make_shared<fcl::Capsuled>(capsule.radius_m, axis.norm()))};
+          fcl::CollisionObjectd(std::make_shared<fcl::Capsuled>(capsule.radius_m, axis.norm())),
+          capsule.part};
 }
 
 bool touch(const fcl::CollisionObjectd& one, const fcl::CollisionObjectd& other) {
@@ -43,11 +52,14 @@ struct CollisionWorld::Body {
       : kinematics(arm) {
     for (const Capsule& shape : arm.shapes) parts.push_back(partOf(shape));
     for (const Capsule& shape : attached) parts.push_back(partOf(shape));
-    for (const Obstacle& obstacle : all) obstacles.push_back(boxOf(obstacle));
+    for (const Obstacle& obstacle : all)
+      barriers.push_back({objectOf(obstacle), {ArmPart::kLink, obstacle.kind, obstacle.name}});
   }
 
-  static fcl::CollisionObjectd boxOf(const Obstacle& obstacle) {
-    const Eigen::Vector3d size = obstacle.size_m;
+  /// A box with round edges is taken for the box around it.
+  static fcl::CollisionObjectd objectOf(const Obstacle& obstacle) {
+    if (obstacle.size_m.isZero()) return {std::make_shared<fcl::Sphered>(obstacle.round_m), obstacle.X_BO};
+    const Eigen::Vector3d size = obstacle.size_m.array() + 2.0 * obstacle.round_m;
     return {std::make_shared<fcl::Boxd>(size), obstacle.X_BO};
   }
 
@@ -58,24 +70,28 @@ struct CollisionWorld::Body {
     }
   }
 
-  [[nodiscard]] bool touchesObstacle() const {
+  [[nodiscard]] std::optional<Contact> withObstacle() const {
     for (const Part& part : parts)
-      for (const auto& obstacle : obstacles)
-        if (part.link > 0 && touch(part.object, obstacle)) return true;
-    return false;
+      for (const Barrier& barrier : barriers)
+        if (part.link > 0 && touch(part.object, barrier.object)) {
+          Contact contact = barrier.contact;
+          contact.part = part.part;
+          return contact;
+        }
+    return std::nullopt;
   }
 
-  [[nodiscard]] bool touchesItself() const {
+  [[nodiscard]] std::optional<Contact> withItself() const {
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t j = i + 1; j < parts.size(); ++j)
         if (std::abs(parts[i].link - parts[j].link) > 1 && touch(parts[i].object, parts[j].object))
-          return true;
-    return false;
+          return Contact{std::max(parts[i].part, parts[j].part), std::nullopt};
+    return std::nullopt;
   }
 
   Kinematics kinematics;
   std::vector<Part> parts;
-  std::vector<fcl::CollisionObjectd> obstacles;
+  std::vector<Barrier> barriers;
 };
 
 CollisionWorld::CollisionWorld(const ArmDescription& arm, std::span<const Capsule> attached,
@@ -83,9 +99,10 @@ CollisionWorld::CollisionWorld(const ArmDescription& arm, std::span<const Capsul
     : body_(std::make_unique<Body>(arm, attached, obstacles)) {}
 CollisionWorld::~CollisionWorld() = default;
 
-bool CollisionWorld::collides(const Joints& q) const {
+std::optional<Contact> CollisionWorld::contact(const Joints& q) const {
   body_->place(q);
-  return body_->touchesItself() || body_->touchesObstacle();
+  if (auto contact = body_->withItself()) return contact;
+  return body_->withObstacle();
 }
 
 }  // namespace mirrorarm::robot

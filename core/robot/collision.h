@@ -1,17 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/robot/arm_description.h"
+#include "core/robot/contact.h"
+#include "core/robot/obstacle.h"
 
 namespace mirrorarm::robot {
-
-/// A box the arm must not enter, in base frame B.
-struct Obstacle {
-  RigidTransform X_BO = RigidTransform::Identity();  ///< its centre
-  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
-};
 
 /// Whether the shapes of one arm touch each other or an obstacle (FCL inside). Shapes on the same link or on
 /// neighbouring links are not compared: they always touch. The base stands still and is not compared with
@@ -23,7 +20,9 @@ class CollisionWorld {
                  std::span<const Obstacle> obstacles);
   ~CollisionWorld();
 
-  [[nodiscard]] bool collides(const Joints& q) const;
+  [[nodiscard]] bool collides(const Joints& q) const { return contact(q).has_value(); }
+  /// What meets what there; of several the first found.
+  [[nodiscard]] std::optional<Contact> contact(const Joints& q) const;
 
  private:
   struct Body;

@@ -78,11 +78,16 @@ struct Planner::Body {
   }
 
   [[nodiscard]] bool edgeIsClear(const Joints& from, const Joints& to) const {
+    return !contactOn(from, to).has_value();
+  }
+
+  /// The first contact on the straight joint motion after `from`.
+  [[nodiscard]] std::optional<Contact> contactOn(const Joints& from, const Joints& to) const {
     const int steps =
         std::max(1, static_cast<int>(std::ceil(largestStep(from, to) / settings.resolution_rad)));
     for (int i = 1; i <= steps; ++i)
-      if (world.collides(from + (static_cast<double>(i) / steps) * (to - from))) return false;
-    return true;
+      if (auto contact = world.contact(from + (static_cast<double>(i) / steps) * (to - from))) return contact;
+    return std::nullopt;
   }
 
   /// The joint range that a path may use.
@@ -173,18 +178,25 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 
 bool Planner::collides(const Joints& q) const { return body_->world.collides(q); }
 
+std::optional<Contact> Planner::contact(const Joints& q) const { return body_->world.contact(q); }
+
 bool Planner::directIsClear(const Joints& from, const Joints& to) const {
   return !collides(from) && body_->edgeIsClear(from, to);
 }
 
-Expected<PlannedPath, PlanError> Planner::plan(const Joints& from, const Joints& to) {
-  if (collides(from)) return unexpected(PlanError::kStartBlocked);
-  if (!body_->arm.have(to) || collides(to)) return unexpected(PlanError::kGoalBlocked);
-  if (body_->edgeIsClear(from, to)) return PlannedPath{{to}, true};
+Expected<PlannedPath, PlanRefusal> Planner::plan(const Joints& from, const Joints& to) {
+  if (auto contact = body_->world.contact(from))
+    return unexpected(PlanRefusal{PlanError::kStartBlocked, std::move(contact)});
+  if (!body_->arm.have(to)) return unexpected(PlanRefusal{PlanError::kGoalBlocked});
+  if (auto contact = body_->world.contact(to))
+    return unexpected(PlanRefusal{PlanError::kGoalBlocked, std::move(contact)});
+  auto barrier = body_->contactOn(from, to);
+  if (!barrier) return PlannedPath{{to}, true};
   if (const auto path = body_->search(from, to, body_->near(from, to)); !path.empty())
     return PlannedPath{Body::split(body_->shortened(path)), false};
   const bool with_more_range = !body_->search(from, to, body_->arm).empty();
-  return unexpected(with_more_range ? PlanError::kJointRange : PlanError::kNoPath);
+  return unexpected(
+      PlanRefusal{with_more_range ? PlanError::kJointRange : PlanError::kNoPath, std::move(barrier)});
 }
 
 std::string_view id(PlanError error) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,12 @@ enum class PlanError {
 /// "start_blocked", ...
 [[nodiscard]] std::string_view id(PlanError error);
 
+/// No path: why, and what stands in the way where that is known.
+struct PlanRefusal {
+  PlanError why = PlanError::kNoPath;
+  std::optional<Contact> contact = {};  ///< at the blocked end, else the first on the straight joint motion
+};
+
 struct PlannedPath {
   std::vector<Joints>
       waypoints;       ///< after the start, the goal last; at most 32, edges short enough for a spline
@@ -50,10 +57,12 @@ class Planner {
   Planner& operator=(Planner&&) noexcept;
 
   [[nodiscard]] bool collides(const Joints& q) const;
+  /// What meets what there; nothing where all is clear.
+  [[nodiscard]] std::optional<Contact> contact(const Joints& q) const;
   /// Both ends and the straight joint motion between them.
   [[nodiscard]] bool directIsClear(const Joints& from, const Joints& to) const;
   /// The same question finds the same path, unless time runs out first.
-  [[nodiscard]] Expected<PlannedPath, PlanError> plan(const Joints& from, const Joints& to);
+  [[nodiscard]] Expected<PlannedPath, PlanRefusal> plan(const Joints& from, const Joints& to);
 
  private:
   struct Body;

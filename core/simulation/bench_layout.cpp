@@ -54,8 +54,8 @@ std::vector<robot::Capsule> attachedShapes(const robot::ArmDescription& arm) {
   const RigidTransform X_LC = arm.X_last_F * X_FC();
   const RigidTransform& X_LF = arm.X_last_F;
   return {{last, X_LC * Eigen::Vector3d(0.0, 0.0, -0.02),
-           X_LC * Eigen::Vector3d(2.0 * kHalfBaseline_m, 0.0, -0.02), 0.025},
-          {last, X_LF * Eigen::Vector3d(0.0, 0.0, 0.02), X_LF * Eigen::Vector3d(0.0, 0.0, 0.09), 0.02}};
+           X_LC * Eigen::Vector3d(2.0 * kHalfBaseline_m, 0.0, -0.02), 0.025, robot::ArmPart::kCameraBar},
+          {last, X_LF * Eigen::Vector3d(0.0, 0.0, 0.02), X_LF * Eigen::Vector3d(0.0, 0.0, 0.09), 0.02, robot::ArmPart::kSling}};
 }
 
 std::vector<Patch> clutter() {

@@ -65,7 +65,7 @@ TEST(Planner, GoesAroundAWallWithoutTouchingIt) {
   Planner planner = plannerAround(obstacles);
   EXPECT_FALSE(planner.directIsClear(turned(-0.5), turned(0.5)));
   const auto path = planner.plan(turned(-0.5), turned(0.5));
-  ASSERT_TRUE(path) << id(path.error());
+  ASSERT_TRUE(path) << id(path.error().why);
   EXPECT_FALSE(path->direct);
   EXPECT_LE(path->waypoints.size(), 32U);
   EXPECT_EQ(path->waypoints.back(), turned(0.5));
@@ -93,9 +93,35 @@ TEST(Planner, SameQuestionSamePath) {
 TEST(Planner, SaysWhyThereIsNoPath) {
   const auto obstacles = wall(0.2);
   Planner planner = plannerAround(obstacles);
-  EXPECT_EQ(planner.plan(turned(0.0), turned(0.5)).error(), PlanError::kStartBlocked);
-  EXPECT_EQ(planner.plan(turned(0.5), turned(0.0)).error(), PlanError::kGoalBlocked);
-  EXPECT_EQ(planner.plan(turned(0.5), turned(3.1)).error(), PlanError::kGoalBlocked);
+  EXPECT_EQ(planner.plan(turned(0.0), turned(0.5)).error().why, PlanError::kStartBlocked);
+  EXPECT_EQ(planner.plan(turned(0.5), turned(0.0)).error().why, PlanError::kGoalBlocked);
+  EXPECT_EQ(planner.plan(turned(0.5), turned(3.1)).error().why, PlanError::kGoalBlocked);
+}
+
+TEST(Planner, NamesWhatStandsInTheWay) {
+  auto obstacles = wall(0.2);
+  obstacles[0].name = "shelf";
+  Planner planner = plannerAround(obstacles);
+  const auto refused = planner.plan(turned(0.5), turned(0.0));
+  ASSERT_FALSE(refused);
+  ASSERT_TRUE(refused.error().contact);
+  EXPECT_EQ(describe(*refused.error().contact), "link meets box 'shelf'");
+  EXPECT_FALSE(planner.contact(turned(0.5)));
+  EXPECT_FALSE(planner.plan(turned(0.5), turned(3.1)).error().contact);
+}
+
+TEST(Planner, AHeadIsABall) {
+  const Eigen::Vector3d below =
+      Kinematics(testing::lbr()).flange(turned(0.0)) * Eigen::Vector3d(0.0, 0.0, 0.36);
+  const std::vector<Capsule> sling = {{7, Eigen::Vector3d::Zero(), {0.0, 0.0, 0.1}, 0.06, ArmPart::kSling}};
+  const auto contactAt = [&](double radius) {
+    const std::vector<Obstacle> head = {ball(ObstacleKind::kHead, below, radius)};
+    return Planner(testing::lbr(), sling, head, {}).contact(turned(0.0));
+  };
+  EXPECT_FALSE(contactAt(0.19));
+  const auto contact = contactAt(0.21);
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(describe(*contact), "sling meets head");
 }
 
 TEST(Planner, RefusesPathsThatMoveAJointTooFar) {
@@ -105,7 +131,7 @@ TEST(Planner, RefusesPathsThatMoveAJointTooFar) {
   narrow.max_time = Seconds(2.0);
   const auto path = plannerAround(obstacles, narrow).plan(turned(-0.5), turned(0.5));
   ASSERT_FALSE(path);
-  EXPECT_TRUE(path.error() == PlanError::kJointRange || path.error() == PlanError::kNoPath);
+  EXPECT_TRUE(path.error().why == PlanError::kJointRange || path.error().why == PlanError::kNoPath);
 }
 
 }  // namespace mirrorarm::robot
