@@ -77,7 +77,7 @@ MotionRanges rangesOf(const Polynomial& p, double duration) noexcept {
   const Points speed_turns = signChanges(acceleration, acceleration_turns, duration);
   const Points position_turns = signChanges(speed, speed_turns, duration);
   return {rangeOver(p, position_turns, duration), rangeOver(speed, speed_turns, duration),
-          rangeOver(acceleration, acceleration_turns, duration)};
+          rangeOver(acceleration, acceleration_turns, duration), rangeOver(jerk, jerk_turns, duration)};
 }
 
 }  // namespace mirrorarm::robot

@@ -25,9 +25,9 @@ struct Range {
   double most = 0.0;
 };
 
-/// What a polynomial and its first two derivatives take on over a piece.
+/// What a polynomial and its first three derivatives take on over a piece.
 struct MotionRanges {
-  Range position, speed, acceleration;
+  Range position, speed, acceleration, jerk;
 };
 
 /// The true extremes over [0, duration]: at the ends and where the next derivative vanishes. Does not

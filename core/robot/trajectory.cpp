@@ -2,156 +2,33 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 
 namespace mirrorarm::robot {
-namespace {
 
-constexpr double kShortestPiece_s = 0.02;
-constexpr double kStretch = 1.05;  // between two durations tried
-constexpr int kMaxStretches = 120;
-constexpr double kTolerance = 1e-9;
-constexpr double kOutsideScale_rad = 0.01;  // as bad as twice the speed: this far outside a joint range
-// Largest speed and acceleration of a quintic from rest to rest over distance and duration 1.
-constexpr double kPeakSpeed = 1.875, kPeakAcceleration = 5.773502691896258;
-
-double largestRatio(const Joints& numbers, const Joints& limits) {
-  return (numbers.array().abs() / limits.array()).maxCoeff();
+void Trajectory::JointMotion::append(double duration_s, const Polynomial& position) noexcept {
+  assert(piece_count < kMaxPieces);
+  pieces[static_cast<std::size_t>(piece_count++)] = {duration_s, position};
 }
 
-double magnitude(const Range& range) { return std::max(std::abs(range.least), std::abs(range.most)); }
+double Trajectory::JointMotion::duration() const noexcept {
+  double sum = 0.0;
+  for (int k = 0; k < piece_count; ++k) sum += pieces[static_cast<std::size_t>(k)].duration_s;
+  return sum;
+}
 
-}  // namespace
-
-/// Finds the duration of a motion through way points. All pieces are stretched by one factor, tried in rising
-/// order until the limits hold, then refined.
-class Trajectory::Timing {
- public:
-  Timing(const MotionState& from, std::span<const Joints> waypoints, TimePoint start,
-         const MotionLimits& limits)
-      : from_(from), waypoints_(waypoints), limits_(limits) {
-    trajectory_.piece_count_ = static_cast<int>(waypoints.size());
-    trajectory_.joint_count_ = static_cast<int>(from.q_rad.size());
-    trajectory_.start_ = start;
-    allowOwnStart();
-    for (std::size_t piece = 0; piece < waypoints.size(); ++piece) shortest_s_[piece] = shortest(piece);
-  }
-
-  Trajectory fastest(Seconds at_least) {
-    double total = 0.0;
-    for (std::size_t piece = 0; piece < waypoints_.size(); ++piece) total += shortest_s_[piece];
-    const double first = std::max(1.0, at_least.count() / total);
-    double allowed = 1.0 + kTolerance;
-    double best = std::numeric_limits<double>::infinity();
-    double stretch = firstWithin(allowed, first, best);
-    if (stretch == 0.0) stretch = firstWithin(allowed = 1.01 * best, first, best);
-    build(stretch > first ? refined(stretch / kStretch, stretch, allowed) : stretch);
-    return trajectory_;
-  }
-
- private:
-  /// What the moving start already exceeds cannot be avoided and is no excess.
-  void allowOwnStart() {
-    speed_ = limits_.max_speed_rad_s.cwiseMax(from_.v_rad_s.cwiseAbs());
-    acceleration_ = limits_.max_acceleration_rad_s2.cwiseMax(from_.a_rad_s2.cwiseAbs());
-    lower_ = limits_.lower_rad.cwiseMin(from_.q_rad);
-    upper_ = limits_.upper_rad.cwiseMax(from_.q_rad);
-    for (const Joints& waypoint : waypoints_) {
-      lower_ = lower_.cwiseMin(waypoint);
-      upper_ = upper_.cwiseMax(waypoint);
-    }
-  }
-
-  /// A duration below which the piece cannot keep the limits.
-  [[nodiscard]] double shortest(std::size_t piece) const {
-    const Joints way = waypoints_[piece] - (piece == 0 ? from_.q_rad : waypoints_[piece - 1]);
-    const bool from_rest = from_.v_rad_s.isZero(0.0) && from_.a_rad_s2.isZero(0.0);
-    if (from_rest && waypoints_.size() == 1)
-      return std::max({kPeakSpeed * largestRatio(way, limits_.max_speed_rad_s),
-                       std::sqrt(kPeakAcceleration * largestRatio(way, limits_.max_acceleration_rad_s2)),
-                       kShortestPiece_s});
-    const double slowing = piece == 0 ? largestRatio(from_.v_rad_s, acceleration_) : 0.0;
-    return std::max({largestRatio(way, speed_), slowing, kShortestPiece_s});
-  }
-
-  /// The first stretch whose excess is `allowed`, 0 if none; `best` is the least excess met.
-  double firstWithin(double allowed, double stretch, double& best) {
-    for (int i = 0; i < kMaxStretches; ++i, stretch *= kStretch) {
-      const double excess = excessAt(stretch);
-      best = std::min(best, excess);
-      if (excess <= allowed) return stretch;
-    }
-    return 0.0;
-  }
-
-  double refined(double too_short, double long_enough, double allowed) {
-    constexpr int halvings = 10;
-    for (int i = 0; i < halvings; ++i) {
-      const double middle = 0.5 * (too_short + long_enough);
-      (excessAt(middle) <= allowed ? long_enough : too_short) = middle;
-    }
-    return long_enough;
-  }
-
-  void build(double stretch) {
-    MotionState begin = from_;
-    for (std::size_t k = 0; k < waypoints_.size(); ++k) {
-      Piece& piece = trajectory_.pieces_[k];
-      piece.duration_s = stretch * shortest_s_[k];
-      const MotionState end{waypoints_[k], passingSpeed(k, stretch), Joints::Zero(from_.q_rad.size())};
-      for (Eigen::Index j = 0; j < from_.q_rad.size(); ++j)
-        piece.joints[static_cast<std::size_t>(j)] =
-            quinticBetween({begin.q_rad[j], begin.v_rad_s[j], begin.a_rad_s2[j]},
-                           {end.q_rad[j], end.v_rad_s[j], end.a_rad_s2[j]}, piece.duration_s);
-      begin = end;
-    }
-  }
-
-  /// Harmonic mean of the slopes on both sides, zero where a joint turns back: does not overshoot.
-  [[nodiscard]] Joints passingSpeed(std::size_t k, double stretch) const {
-    Joints v = Joints::Zero(from_.q_rad.size());
-    if (k + 1 == waypoints_.size()) return v;
-    const Joints before =
-        (waypoints_[k] - (k == 0 ? from_.q_rad : waypoints_[k - 1])) / (stretch * shortest_s_[k]);
-    const Joints after = (waypoints_[k + 1] - waypoints_[k]) / (stretch * shortest_s_[k + 1]);
-    for (Eigen::Index j = 0; j < v.size(); ++j)
-      if (before[j] * after[j] > 0.0) v[j] = 2.0 * before[j] * after[j] / (before[j] + after[j]);
-    return v;
-  }
-
-  /// 1 and less: within all limits.
-  double excessAt(double stretch) {
-    build(stretch);
-    double excess = 0.0;
-    for (std::size_t k = 0; k < waypoints_.size(); ++k)
-      for (Eigen::Index j = 0; j < from_.q_rad.size(); ++j) excess = std::max(excess, excessOf(k, j));
-    return excess;
-  }
-
-  [[nodiscard]] double excessOf(std::size_t k, Eigen::Index j) const {
-    const Piece& piece = trajectory_.pieces_[k];
-    const MotionRanges ranges = rangesOf(piece.joints[static_cast<std::size_t>(j)], piece.duration_s);
-    const double outside = std::max(lower_[j] - ranges.position.least, ranges.position.most - upper_[j]);
-    return std::max({magnitude(ranges.speed) / speed_[j], magnitude(ranges.acceleration) / acceleration_[j],
-                     outside > kTolerance ? 1.0 + outside / kOutsideScale_rad : 0.0});
-  }
-
-  const MotionState& from_;
-  std::span<const Joints> waypoints_;
-  const MotionLimits& limits_;
-  Joints speed_, acceleration_, lower_, upper_;
-  std::array<double, kMaxPieces> shortest_s_{};
-  Trajectory trajectory_;
-};
+EndState Trajectory::JointMotion::at(double t) const noexcept {
+  std::size_t k = 0;
+  const auto last = static_cast<std::size_t>(piece_count - 1);
+  while (k < last && t >= pieces[k].duration_s) t -= pieces[k++].duration_s;
+  const Piece& piece = pieces[k];
+  if (t >= piece.duration_s) return {valueAt(piece.position, piece.duration_s), 0.0, 0.0};
+  const Polynomial speed = derivative(piece.position);
+  return {valueAt(piece.position, t), valueAt(speed, t), valueAt(derivative(speed), t)};
+}
 
 Trajectory Trajectory::rest(const Joints& q, TimePoint start) {
-  Trajectory trajectory;
-  trajectory.piece_count_ = 1;
-  trajectory.joint_count_ = static_cast<int>(q.size());
-  trajectory.start_ = start;
-  for (Eigen::Index j = 0; j < q.size(); ++j)
-    trajectory.pieces_[0].joints[static_cast<std::size_t>(j)] = {q[j]};
+  Trajectory trajectory(q.size(), start);
+  for (Eigen::Index j = 0; j < q.size(); ++j) trajectory.joint(j).append(0.0, {q[j]});
   return trajectory;
 }
 
@@ -160,46 +37,29 @@ Trajectory Trajectory::quintic(const MotionState& from, const Joints& goal, Time
   return through(from, std::span(&goal, 1), start, limits, at_least);
 }
 
-Trajectory Trajectory::through(const MotionState& from, std::span<const Joints> waypoints, TimePoint start,
-                               const MotionLimits& limits, Seconds at_least) {
-  assert(!waypoints.empty() && waypoints.size() <= kMaxPieces);
-  return Timing(from, waypoints, start, limits).fastest(at_least);
-}
-
 MotionState Trajectory::at(TimePoint time) const noexcept {
   assert(valid());
-  double t = std::max(0.0, secondsBetween(start_, time));
-  int k = 0;
-  while (k + 1 < piece_count_ && t > pieces_[static_cast<std::size_t>(k)].duration_s)
-    t -= pieces_[static_cast<std::size_t>(k++)].duration_s;
-  const Piece& piece = pieces_[static_cast<std::size_t>(k)];
-  const bool over = t >= piece.duration_s;
-  MotionState state{Joints::Zero(joint_count_), Joints::Zero(joint_count_), Joints::Zero(joint_count_)};
-  for (int j = 0; j < joint_count_; ++j) {
-    const Polynomial& position = piece.joints[static_cast<std::size_t>(j)];
-    state.q_rad[j] = valueAt(position, std::min(t, piece.duration_s));
-    if (over) continue;
-    const Polynomial speed = derivative(position);
-    state.v_rad_s[j] = valueAt(speed, t);
-    state.a_rad_s2[j] = valueAt(derivative(speed), t);
+  const double t = std::max(0.0, secondsBetween(start_, time));
+  MotionState state{Joints(joint_count_), Joints(joint_count_), Joints(joint_count_)};
+  for (Eigen::Index j = 0; j < joint_count_; ++j) {
+    const EndState now = joint(j).at(t);
+    state.q_rad[j] = now.q;
+    state.v_rad_s[j] = now.v;
+    state.a_rad_s2[j] = now.a;
   }
   return state;
 }
 
 Seconds Trajectory::duration() const noexcept {
-  double sum = 0.0;
-  for (int k = 0; k < piece_count_; ++k) sum += pieces_[static_cast<std::size_t>(k)].duration_s;
-  return Seconds(sum);
+  double longest = 0.0;
+  for (Eigen::Index j = 0; j < joint_count_; ++j) longest = std::max(longest, joint(j).duration());
+  return Seconds(longest);
 }
-
-TimePoint Trajectory::end() const noexcept { return start_ + toClock(duration()); }
 
 Joints Trajectory::goal() const noexcept {
   assert(valid());
-  const Piece& last = pieces_[static_cast<std::size_t>(piece_count_ - 1)];
   Joints q(joint_count_);
-  for (int j = 0; j < joint_count_; ++j)
-    q[j] = valueAt(last.joints[static_cast<std::size_t>(j)], last.duration_s);
+  for (Eigen::Index j = 0; j < joint_count_; ++j) q[j] = joint(j).at(joint(j).duration()).q;
   return q;
 }
 

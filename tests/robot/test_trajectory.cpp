@@ -15,17 +15,21 @@ MotionState restAt(const Joints& q) { return {q, Joints::Zero(q.size()), Joints:
 
 MotionLimits therapy() { return *limitsOf("therapy", testing::lbr()); }
 
-/// The largest speed and acceleration as shares of their limits, sampled.
+/// The largest speed, acceleration and jerk as shares of their limits, sampled.
 struct Peaks {
-  double speed = 0.0, acceleration = 0.0;
+  double speed = 0.0, acceleration = 0.0, jerk = 0.0;
 };
 
 Peaks peaksOf(const Trajectory& trajectory, const MotionLimits& limits) {
   Peaks peaks;
-  constexpr int samples = 400;
+  constexpr int samples = 4000;
+  Joints last = trajectory.at(trajectory.start()).a_rad_s2;
   for (int i = 0; i <= samples; ++i) {
     const MotionState s =
         trajectory.at(trajectory.start() + toClock(trajectory.duration() * (double(i) / samples)));
+    const Joints jerk = (s.a_rad_s2 - last) / (trajectory.duration().count() / samples);
+    last = s.a_rad_s2;
+    peaks.jerk = std::max(peaks.jerk, (jerk.array().abs() / limits.max_jerk_rad_s3.array()).maxCoeff());
     peaks.speed =
         std::max(peaks.speed, (s.v_rad_s.array().abs() / limits.max_speed_rad_s.array()).maxCoeff());
     peaks.acceleration = std::max(
@@ -63,7 +67,8 @@ TEST(Trajectory, FromRestOneLimitIsUsedUpAndNoneBroken) {
     const Peaks peaks = peaksOf(trajectory, limits);
     EXPECT_LE(peaks.speed, 1.0 + 1e-9);
     EXPECT_LE(peaks.acceleration, 1.0 + 1e-9);
-    EXPECT_GT(std::max(peaks.speed, peaks.acceleration), 0.999);
+    EXPECT_LE(peaks.jerk, 1.0 + 1e-9);
+    EXPECT_GT(std::max({peaks.speed, peaks.acceleration, peaks.jerk}), 0.995);
     EXPECT_LT((trajectory.at(trajectory.end()).q_rad - to).norm(), 1e-9);
     EXPECT_LT((trajectory.at(after(100)).q_rad - to).norm(), 1e-12);
     EXPECT_EQ(trajectory.at(after(100)).v_rad_s.norm(), 0.0);
