@@ -6,6 +6,7 @@
 #include "core/common/bounded_queue.h"
 #include "core/common/latest_value.h"
 #include "core/control/beat.h"
+#include "core/control/soft_start.h"
 #include "core/control/stop_latch.h"
 
 namespace mirrorarm::control {
@@ -17,24 +18,18 @@ using robot::MotionState;
 
 constexpr double kCommandedRest_rad_s = 1e-3;
 constexpr double kMeasuredRest_rad_s = 1e-2;  // encoders are noisy
+constexpr double kSoftRest_rad_s = 5e-2;      // springs give way to the arm that hangs in them
 constexpr double kNear_rad = 0.01;            // a motion this near is taken up again after a hold
-constexpr std::size_t kStates = 256;
+constexpr std::size_t kStates = 2048;
 
 double largest(const Joints& q) { return q.size() > 0 ? q.cwiseAbs().maxCoeff() : 0.0; }
-
-/// Stops after which the robot may not be where it was commanded, so that braking by commands could be a
-/// jump.
-bool leavesRobotInDoubt(StopReason reason) {
-  return reason == StopReason::kRobotSilent || reason == StopReason::kRobotFault ||
-         reason == StopReason::kServoLate || reason == StopReason::kFollowingError;
-}
 
 bool isUsable(const robot::RobotState& state, int joints) {
   return state.q_rad.size() == joints && state.v_rad_s.size() == joints && state.q_rad.allFinite() &&
          state.v_rad_s.allFinite();
 }
 
-bool cannotMove(LinkFault fault) { return fault == LinkFault::kNotReady || fault == LinkFault::kDriveFault; }
+double ageOf(TimePoint time, TimePoint now) { return time == TimePoint{} ? -1.0 : secondsBetween(time, now); }
 
 /// A trajectory and the latch at the time it was handed over: it is good while the latch has not changed
 /// since.
@@ -47,13 +42,19 @@ struct Order {
 
 struct ServoLoop::Body {
   Body(const robot::ArmDescription& arm, const robot::MotionLimits& profile, robot::RobotLink& robot_link,
-       const SupervisorSettings& settings)
+       const SupervisorSettings& watched, const AssistSettings& helped)
       : limits(profile),
         link(robot_link),
-        supervisor(settings),
-        period_s(robot_link.period().count()),
+        settings(watched),
+        period(robot_link.period()),
+        enabling(watched.enabling_silent_after),
         kinematics(arm),
-        beat(robot_link.period()) {}
+        beat(robot_link.period()),
+        soft_start(watched.soft_start),
+        assist(helped, robot_link.givesWay(), robot_link.period()) {
+    vitals.gives_way = robot_link.givesWay() != robot::GivesWay::kNot;
+    state.enabling_needed = settings.enabling_needed;
+  }
 
   void begin(TimePoint now) noexcept {
     state.time = beat.next(now);
@@ -66,12 +67,12 @@ struct ServoLoop::Body {
   void readRobot() noexcept {
     const auto read = link.read();
     const bool usable = read && isUsable(*read, kinematics.jointCount());
-    fault = usable ? LinkFault::kNone : read ? LinkFault::kDriveFault : read.error();
-    if (cannotMove(fault)) latch.stop(StopReason::kRobotFault);
+    vitals.fault = usable ? LinkFault::kNone : read ? LinkFault::kDriveFault : read.error();
     if (!usable) return;
     state.measured = *read;
     // A time from the future would never grow old.
     vitals.last_robot = std::min(read->measured_at, vitals.now);
+    assist.feel(state.measured, kinematics);
   }
 
   void takeMail() noexcept {
@@ -79,32 +80,59 @@ struct ServoLoop::Body {
       vitals.last_frame = news->last_frame;
       vitals.last_target = news->last_target;
       vitals.following = news->following;
+      vitals.last_decision = vitals.now;
     }
-    if (const Order* const news = orders.take()) order = news;
+    state.enabling = vitals.enabling = enabling.update(vitals.now);
+    if (const Order* const news = orders.take()) {
+      order = news;
+      refuseIf(refusalOf(*news));  // `vitals.moving` still tells of the motion before
+    }
   }
 
   void watch() noexcept {
     vitals.following_error_rad = driven ? largest(state.commanded.q_rad - state.measured.q_rad) : 0.0;
-    const Verdict verdict = supervise(vitals, supervisor);
+    vitals.moving = isMoving();
+    vitals.force = assist.state().force.level;
+    const Verdict verdict = supervise(vitals, settings);
     vitals.last_cycle = vitals.now;
     if (verdict.permit == Permit::kStop) latch.stop(verdict.reason);
     latched = latch.value();
-    in_doubt = leavesRobotInDoubt(latched.reason) || leavesRobotInDoubt(verdict.reason) || cannotMove(fault);
+    if (stop.reason == StopReason::kNone) stop.since = vitals.now;
+    stop.reason = latched.reason;
+    stop.category = categoryNow(stop, verdict.reason, state.at_rest, vitals, settings);
+    state.lasting = lastingCause(stop, verdict.reason, vitals, settings);
     state.permit = latched.reason == StopReason::kNone ? verdict.permit : Permit::kStop;
+    considerReset();
+  }
+
+  void considerReset() noexcept {
+    state.reset = latched.reason == StopReason::kNone  ? ResetRefusal::kNotStopped
+                  : state.lasting != StopReason::kNone ? ResetRefusal::kCausePersists
+                  : !state.at_rest                     ? ResetRefusal::kMoving
+                                                       : ResetRefusal::kNone;
+    // Good only for the stop it was asked for: not for one that came since.
+    const bool asked = reset_asked.exchange(0, std::memory_order_acq_rel) == latched.changes;
+    if (!asked || state.reset != ResetRefusal::kNone || !latch.reset(latched)) return;
+    latched = latch.value();
+    stop = {};
+    state.permit = Permit::kHold;  // what may be done is judged anew in the next cycle
+    state.reset = ResetRefusal::kNotStopped;
   }
 
   void move() noexcept {
-    if (in_doubt) return halt();
+    if (stop.category == StopCategory::kOne) return halt();
     if (!driven && !takeOver()) return watchOnly();
     const MotionState* const goal = wished();
     const robot::Jacobian J = kinematics.jacobian(last.q_rad);
-    const robot::Guarded guarded = goal ? guardMotion({goal->q_rad, goal->v_rad_s}, last, J, period_s, limits)
-                                        : brakeMotion(last, J, period_s, limits);
+    const robot::MotionLimits now_allowed = soft_start.scaled(limits);
+    const robot::Guarded guarded =
+        goal ? guardMotion({goal->q_rad, goal->v_rad_s}, last, J, period.count(), now_allowed)
+             : brakeMotion(last, J, period.count(), limits);
     if (goal && guarded.action == robot::GuardAction::kPassed)
       state.commanded = *goal;
     else
       state.commanded = {guarded.command.q_rad, guarded.command.v_rad_s,
-                         (guarded.command.v_rad_s - last.v_rad_s) / period_s};
+                         (guarded.command.v_rad_s - last.v_rad_s) / period.count()};
     state.guard = guarded.action;
     state.sent = last = guarded.command;
     send();
@@ -116,21 +144,58 @@ struct ServoLoop::Body {
       interrupted = true;
       return nullptr;
     }
-    if (order == nullptr || order->latch != latched || !order->trajectory.valid()) return nullptr;
-    wish = order->trajectory.at(state.time);
-    if (interrupted && largest(wish.q_rad - last.q_rad) > kNear_rad) {
-      order = nullptr;
+    if (order == nullptr || !order->trajectory.valid()) {
+      interrupted = true;
       return nullptr;
     }
-    interrupted = false;
+    if (order->latch != latched) return refuseIf(MotionRefusal::kStopped);
+    wish = order->trajectory.at(state.time);
+    if (interrupted) {
+      if (largest(wish.q_rad - last.q_rad) > kNear_rad) return refuseIf(MotionRefusal::kStartElsewhere);
+      soft_start.begin(last, limits);
+      interrupted = false;
+    }
+    soft_start.advance(period);
     return &wish;
   }
 
+  /// Whether a motion that was just handed over may be followed.
+  [[nodiscard]] MotionRefusal refusalOf(const Order& news) const noexcept {
+    if (!news.trajectory.valid()) return MotionRefusal::kNone;
+    if (news.latch != latch.value() || news.latch.reason != StopReason::kNone) return MotionRefusal::kStopped;
+    if (settings.enabling_needed && state.enabling != EnablingPosition::kEnabled && !vitals.moving)
+      return MotionRefusal::kNotEnabled;
+    const Joints from = news.trajectory.at(state.time).q_rad;
+    const Joints& here = driven ? last.q_rad : state.measured.q_rad;
+    const bool begins_here =
+        from.size() == here.size() && largest(from - here) <= settings.max_start_error_rad;
+    return begins_here ? MotionRefusal::kNone : MotionRefusal::kStartElsewhere;
+  }
+
+  const MotionState* refuseIf(MotionRefusal refusal) noexcept {
+    state.refused = refusal;
+    if (refusal == MotionRefusal::kNone) return nullptr;
+    order = nullptr;
+    interrupted = true;
+    return nullptr;
+  }
+
+  [[nodiscard]] bool isMoving() const noexcept {
+    if (!driven) return false;
+    const bool has_more =
+        order != nullptr && order->trajectory.valid() && order->trajectory.end() > state.time;
+    return has_more || largest(last.v_rad_s) > kCommandedRest_rad_s;
+  }
+
   void send() noexcept {
-    const auto sent = link.command({last.q_rad, {}});
-    if (sent || !cannotMove(sent.error())) return;  // a silent robot is the watchdog's business
-    fault = sent.error();
-    latch.stop(StopReason::kRobotFault);
+    const bool learning = vitals.following && state.permit == Permit::kMove;
+    assist.adapt(last.q_rad, state.measured.q_rad, kinematics, learning);
+    const auto sent = link.command({last.q_rad, assist.compliance(kinematics.jointCount())});
+    // A silent robot is the watchdog's business.
+    if (sent || sent.error() == LinkFault::kNoAnswer) return;
+    vitals.fault = sent.error();
+    latch.stop(supervise(vitals, settings).reason);
+    stop.category = StopCategory::kOne;
     halt();
   }
 
@@ -142,6 +207,7 @@ struct ServoLoop::Body {
   /// Not driving: what is commanded is what is.
   void watchOnly() noexcept {
     driven = false;
+    interrupted = true;
     state.sent = {};
     state.commanded = {state.measured.q_rad, state.measured.v_rad_s,
                        Joints::Zero(state.measured.q_rad.size())};
@@ -150,16 +216,25 @@ struct ServoLoop::Body {
   /// Starts driving from where the robot rests.
   bool takeOver() noexcept {
     const Joints& q = state.measured.q_rad;
-    if (fault != LinkFault::kNone || largest(state.measured.v_rad_s) > kMeasuredRest_rad_s) return false;
+    if (vitals.fault != LinkFault::kNone || largest(state.measured.v_rad_s) > restSpeed()) return false;
     last = {q, Joints::Zero(q.size())};
     return driven = true;
   }
 
+  [[nodiscard]] double restSpeed() const noexcept {
+    return vitals.gives_way && driven ? kSoftRest_rad_s : kMeasuredRest_rad_s;
+  }
+
   const ServoState& conclude() noexcept {
     state.stop = latch.value().reason;
-    state.at_rest = state.measured.q_rad.size() > 0 &&
-                    largest(state.measured.v_rad_s) < kMeasuredRest_rad_s &&
+    state.category =
+        state.stop == StopReason::kNone ? StopCategory::kNone : graver(stop.category, categoryOf(state.stop));
+    state.at_rest = state.measured.q_rad.size() > 0 && largest(state.measured.v_rad_s) < restSpeed() &&
                     (!driven || largest(last.v_rad_s) < kCommandedRest_rad_s);
+    state.soft_start = soft_start.share();
+    state.assist = assist.state();
+    state.ages = {ageOf(vitals.last_frame, vitals.now), ageOf(vitals.last_target, vitals.now),
+                  ageOf(vitals.last_decision, vitals.now), ageOf(vitals.last_robot, vitals.now)};
     static_cast<void>(states.push(state));  // who does not take them misses them, as the header says
     return state;
   }
@@ -167,34 +242,38 @@ struct ServoLoop::Body {
   // Never changed after construction.
   const robot::MotionLimits limits;
   robot::RobotLink& link;
-  const SupervisorSettings supervisor;
-  const double period_s;
+  const SupervisorSettings settings;
+  const Seconds period;
 
   // Between threads.
-  StopLatch latch;                           // any thread
-  LatestValue<Order> orders;                 // control -> servo
-  LatestValue<Tracking> tracking;            // control -> servo
-  BoundedQueue<ServoState, kStates> states;  // servo -> control
+  StopLatch latch;                            // any thread
+  std::atomic<std::uint64_t> reset_asked{0};  // any thread -> servo: the latch's changes at that time
+  EnablingSwitch enabling;                    // any thread -> servo
+  LatestValue<Order> orders;                  // control -> servo
+  LatestValue<Tracking> tracking;             // control -> servo
+  BoundedQueue<ServoState, kStates> states;   // servo -> control
 
   // Servo thread only.
   robot::Kinematics kinematics;
   Beat beat;
+  SoftStart soft_start;
+  AssistLoop assist;
   Vitals vitals;
   ServoState state;
   robot::Commanded last;  // what was sent; good while `driven`
   MotionState wish;
   const Order* order = nullptr;  // in force; inside `orders` until the next is taken
   StopLatch::Value latched;
-  LinkFault fault = LinkFault::kNone;
-  bool in_doubt = false;  // the latch keeps the first reason only; a robot may fail while it is being stopped
+  Stop stop;
   bool running = false;
   bool driven = false;
-  bool interrupted = false;  // by a hold or a stop since the motion in force was followed last
+  bool interrupted = true;  // by a hold or a stop since the motion in force was followed last
 };
 
 ServoLoop::ServoLoop(const robot::ArmDescription& arm, const robot::MotionLimits& limits,
-                     robot::RobotLink& link, const SupervisorSettings& supervisor)
-    : body_(std::make_unique<Body>(arm, limits, link, supervisor)) {}
+                     robot::RobotLink& link, const SupervisorSettings& supervisor,
+                     const AssistSettings& assist)
+    : body_(std::make_unique<Body>(arm, limits, link, supervisor, assist)) {}
 ServoLoop::~ServoLoop() = default;
 
 const ServoState& ServoLoop::step(TimePoint now) noexcept {
@@ -211,7 +290,10 @@ void ServoLoop::setTrajectory(const robot::Trajectory& trajectory) noexcept {
 }
 void ServoLoop::setTracking(const Tracking& tracking) noexcept { body_->tracking.put(tracking); }
 void ServoLoop::stop(StopReason reason) noexcept { body_->latch.stop(reason); }
-void ServoLoop::resetStop() noexcept { body_->latch.reset(); }
+void ServoLoop::resetStop() noexcept {
+  body_->reset_asked.store(body_->latch.value().changes, std::memory_order_release);
+}
+void ServoLoop::setEnabling(EnablingPosition position) noexcept { body_->enabling.set(position); }
 std::optional<ServoState> ServoLoop::takeState() noexcept { return body_->states.pop(); }
 
 }  // namespace mirrorarm::control

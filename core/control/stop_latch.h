@@ -7,7 +7,7 @@
 
 namespace mirrorarm::control {
 
-/// Whether the robot is stopped, and why. Any thread sets and resets it at any time; nothing waits.
+/// Whether the robot is stopped, and why. Any thread stops at any time; nothing waits.
 class StopLatch {
  public:
   /// The latch at one moment. Two that are equal had no stop and no reset in between.
@@ -17,13 +17,24 @@ class StopLatch {
     bool operator==(const Value&) const = default;
   };
 
-  /// The first reason stays until the reset.
+  /// The first reason stays until the reset; every further stop still counts as a change.
   void stop(StopReason reason) noexcept {
-    change([reason](StopReason now) { return now == StopReason::kNone ? reason : now; });
+    std::uint64_t word = word_.load(std::memory_order_acquire);
+    for (;;) {
+      const Value now = unpack(word);
+      const std::uint64_t next = pack(now.reason == StopReason::kNone ? reason : now.reason, now.changes + 1);
+      if (word_.compare_exchange_weak(word, next, std::memory_order_acq_rel)) return;
+    }
   }
-  void reset() noexcept {
-    change([](StopReason) { return StopReason::kNone; });
+
+  /// Frees the latch if nobody stopped again since it was `seen`: no press of STOP is lost to a reset that
+  /// was on its way.
+  bool reset(Value seen) noexcept {
+    std::uint64_t word = pack(seen.reason, seen.changes);
+    return word_.compare_exchange_strong(word, pack(StopReason::kNone, seen.changes + 1),
+                                         std::memory_order_acq_rel);
   }
+
   [[nodiscard]] Value value() const noexcept { return unpack(word_.load(std::memory_order_acquire)); }
 
  private:
@@ -31,17 +42,8 @@ class StopLatch {
   static Value unpack(std::uint64_t word) noexcept {
     return {static_cast<StopReason>(word & ((1U << kReasonBits) - 1U)), word >> kReasonBits};
   }
-
-  template <class Next>
-  void change(Next next) noexcept {
-    std::uint64_t word = word_.load(std::memory_order_acquire);
-    for (;;) {
-      const Value now = unpack(word);
-      const StopReason then = next(now.reason);
-      if (then == now.reason) return;
-      const auto changed = ((now.changes + 1U) << kReasonBits) | static_cast<std::uint64_t>(then);
-      if (word_.compare_exchange_weak(word, changed, std::memory_order_acq_rel)) return;
-    }
+  static std::uint64_t pack(StopReason reason, std::uint64_t changes) noexcept {
+    return (changes << kReasonBits) | static_cast<std::uint64_t>(reason);
   }
 
   std::atomic<std::uint64_t> word_{0};  // the reason in the low bits, the number of changes above

@@ -22,6 +22,16 @@ std::string_view id(StopReason reason) {
       return "following_error";
     case StopReason::kInternal:
       return "internal";
+    case StopReason::kPoorLine:
+      return "poor_line";
+    case StopReason::kPlannerSilent:
+      return "planner_silent";
+    case StopReason::kEnablingReleased:
+      return "enabling_released";
+    case StopReason::kEnablingPressedThrough:
+      return "enabling_pressed_through";
+    case StopReason::kForce:
+      return "force";
   }
   return "unknown";
 }

@@ -37,7 +37,7 @@ SessionScript::Progress SessionScript::step(TimePoint now) {
     case Stage::kTrain:
       return train();
     case Stage::kRestart:
-      return settle(Action::kStart, Stage::kStart);
+      return restart();
     case Stage::kFinish:
       return waitForRecord();
     case Stage::kDone:
@@ -80,9 +80,16 @@ SessionScript::Progress SessionScript::train() {
   if (over) return ask(Action::kFinish, Stage::kFinish);
   if (stop == control::StopReason::kNone) return Progress::kRunning;
   if (++stops_ > settings_.max_restarts) return fail("stop." + std::string(id(stop)));
-  station_.resetStop();
   go(Stage::kRestart);
   return Progress::kRunning;
+}
+
+// A stop is reset when the robot rests and the cause is gone.
+SessionScript::Progress SessionScript::restart() {
+  const auto& servo = seen_.control.servo;
+  if (servo.stop == control::StopReason::kNone) return settle(Action::kStart, Stage::kStart);
+  if (servo.reset == control::ResetRefusal::kNone) station_.resetStop();
+  return patience();
 }
 
 SessionScript::Progress SessionScript::waitForRecord() {

@@ -42,6 +42,7 @@ class SessionScript {
   Progress settle(therapy::Action action, Stage next);
   Progress start();
   Progress train();
+  Progress restart();
   Progress waitForRecord();
   Progress afterAnswer(Stage next);
   Progress ask(therapy::Action action, Stage next);

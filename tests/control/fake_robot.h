@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/robot/robot_link.h"
 
 namespace mirrorarm::control::testing {
@@ -7,13 +9,15 @@ namespace mirrorarm::control::testing {
 /// An arm that takes each command as its position one cycle later, and can be made to fail.
 class FakeRobot final : public robot::RobotLink {
  public:
-  explicit FakeRobot(const robot::Joints& q) : q_(q), next_(q), v_(robot::Joints::Zero(q.size())) {}
+  explicit FakeRobot(const robot::Joints& q, Seconds period = Seconds(0.005))
+      : period_(period), q_(q), next_(q), v_(robot::Joints::Zero(q.size())) {}
 
   Expected<robot::RobotState, robot::LinkFault> read() noexcept override {
     v_ = (next_ - q_) / period().count();
     q_ = next_;
     if (fault != robot::LinkFault::kNone) return unexpected(robot::LinkFault(fault));
-    robot::RobotState state{.q_rad = q_, .v_rad_s = v_, .measured_at = now};
+    robot::RobotState state{
+        .q_rad = q_, .v_rad_s = v_, .external_torque_nm = external_torque_nm, .measured_at = now};
     if (lies) state.q_rad[0] = std::nan("");
     return state;
   }
@@ -21,6 +25,7 @@ class FakeRobot final : public robot::RobotLink {
   Expected<void, robot::LinkFault> command(const robot::RobotCommand& command) noexcept override {
     ++commands;
     if (fault != robot::LinkFault::kNone) return unexpected(robot::LinkFault(fault));
+    compliance = command.compliance;
     if (!stuck) next_ = command.q_rad;
     return {};
   }
@@ -30,17 +35,22 @@ class FakeRobot final : public robot::RobotLink {
     next_ = q_;
   }
 
-  Seconds period() const noexcept override { return Seconds(0.005); }
+  Seconds period() const noexcept override { return period_; }
+  robot::GivesWay givesWay() const noexcept override { return gives_way; }
   const robot::Joints& q() const { return q_; }
 
   TimePoint now{};
   robot::LinkFault fault = robot::LinkFault::kNone;
+  robot::GivesWay gives_way = robot::GivesWay::kNot;  ///< before a loop is made with it
+  robot::Joints external_torque_nm{};
+  robot::Compliance compliance{};  ///< of the newest command
   bool stuck = false;
   bool lies = false;
   int commands = 0;
   int halts = 0;
 
  private:
+  Seconds period_;
   robot::Joints q_, next_, v_;
 };
 

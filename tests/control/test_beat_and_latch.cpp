@@ -59,20 +59,27 @@ TEST(StopLatch, KeepsTheFirstReasonAndNoticesEveryChange) {
   StopLatch latch;
   const auto free = latch.value();
   EXPECT_EQ(free.reason, StopReason::kNone);
-  latch.reset();
-  EXPECT_EQ(latch.value(), free);
   latch.stop(StopReason::kTargetLost);
   latch.stop(StopReason::kOperator);
   EXPECT_EQ(latch.value().reason, StopReason::kTargetLost);
-  latch.reset();
+  EXPECT_TRUE(latch.reset(latch.value()));
   EXPECT_EQ(latch.value().reason, StopReason::kNone);
   EXPECT_FALSE(latch.value() == free);
 }
 
+TEST(StopLatch, AStopDuringAResetIsNotLost) {
+  StopLatch latch;
+  latch.stop(StopReason::kTargetLost);
+  const auto seen = latch.value();
+  latch.stop(StopReason::kOperator);
+  EXPECT_FALSE(latch.reset(seen));
+  EXPECT_EQ(latch.value().reason, StopReason::kTargetLost);
+}
+
 TEST(StopReason, EveryReasonHasItsOwnId) {
   std::vector<std::string_view> ids;
-  for (int i = 0; i <= static_cast<int>(StopReason::kInternal); ++i)
-    ids.push_back(id(static_cast<StopReason>(i)));
+  for (int i = 0; i < kStopReasonCount; ++i) ids.push_back(id(static_cast<StopReason>(i)));
+  EXPECT_EQ(std::count(ids.begin(), ids.end(), "unknown"), 0);
   std::sort(ids.begin(), ids.end());
   EXPECT_EQ(std::unique(ids.begin(), ids.end()), ids.end());
 }

@@ -28,7 +28,8 @@ class Bench {
   const ServoState& cycle() {
     now += toClock(Seconds(0.005));
     robot.now = now;
-    if (target_seen) loop.setTracking({now, now, following});
+    if (target_seen) seen_at = now;
+    loop.setTracking({seen_at, seen_at, following});
     const int halts = robot.halts;
     state = loop.step(now);
     if (robot.halts != halts) speed.resize(0);
@@ -75,6 +76,7 @@ class Bench {
   ServoLoop loop;
   TimePoint now{std::chrono::hours(1)};
   ServoState state;
+  TimePoint seen_at{};
   Joints commanded, speed;
   bool following = false;
   bool target_seen = true;
@@ -136,17 +138,17 @@ TEST(ServoLoop, ResetNeverStartsAMotion) {
   EXPECT_GT((bench.robot.q() - rest).norm(), 0.01);
 }
 
-TEST(ServoLoop, StopAndResetWithinOneCycleStillDropTheMotion) {
+TEST(ServoLoop, ResetWithinTheCycleOfTheStopIsRefused) {
   Bench bench;
   bench.setOut();
   bench.run(1.0);
   bench.loop.stop(StopReason::kOperator);
   bench.loop.resetStop();
+  EXPECT_EQ(bench.cycle().stop, StopReason::kOperator);
+  EXPECT_EQ(bench.state.reset, ResetRefusal::kMoving);
   EXPECT_LT(bench.timeToRest(), 0.5);
-  bench.run(0.02);
-  const Joints rest = bench.robot.q();
   bench.run(0.5);
-  EXPECT_EQ(bench.robot.q(), rest);
+  EXPECT_EQ(bench.state.stop, StopReason::kOperator) << "a reset that was refused does not wait";
 }
 
 TEST(ServoLoop, OldTargetHoldsAndGoesOnByItself) {
@@ -201,6 +203,8 @@ TEST(ServoLoop, SilentRobotIsHalted) {
   bench.loop.resetStop();
   bench.run(0.08);
   EXPECT_EQ(bench.state.stop, StopReason::kRobotSilent) << "still silent";
+  EXPECT_EQ(bench.state.reset, ResetRefusal::kCausePersists);
+  EXPECT_EQ(bench.state.lasting, StopReason::kRobotSilent);
   bench.robot.fault = LinkFault::kNone;
   bench.run(0.05);
   bench.loop.resetStop();

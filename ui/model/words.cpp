@@ -29,6 +29,16 @@ QString words(control::StopReason reason) {
       return Words::tr("The robot is not where it was told to be");
     case control::StopReason::kInternal:
       return Words::tr("An internal error ended the motion");
+    case control::StopReason::kPoorLine:
+      return Words::tr("The line to the robot is too bad");
+    case control::StopReason::kPlannerSilent:
+      return Words::tr("The planning of the motion stood still");
+    case control::StopReason::kEnablingReleased:
+      return Words::tr("The enabling key was let go");
+    case control::StopReason::kEnablingPressedThrough:
+      return Words::tr("The enabling key was pressed through");
+    case control::StopReason::kForce:
+      return Words::tr("The force at the sling became too large");
   }
   return {};
 }
@@ -48,9 +58,20 @@ QString advice(control::StopReason reason) {
       return Words::tr("Look at the robot controller and clear its fault, then reset the stop.");
     case control::StopReason::kFollowingError:
       return Words::tr("Make sure that nothing holds the robot, then reset the stop.");
+    case control::StopReason::kPoorLine:
+      return Words::tr("Check the network cable to the robot controller, then reset the stop.");
     case control::StopReason::kServoLate:
+    case control::StopReason::kPlannerSilent:
     case control::StopReason::kInternal:
       return Words::tr("Close other programs. If it comes again, call the engineer.");
+    case control::StopReason::kEnablingReleased:
+      return Words::tr("Reset the stop, hold the enabling key and start again.");
+    case control::StopReason::kEnablingPressedThrough:
+      return Words::tr(
+          "Make sure that the patient is well. Let the enabling key go fully, then reset the stop.");
+    case control::StopReason::kForce:
+      return Words::tr(
+          "Free the patient's arm from the strain and ask whether anything hurts, then reset the stop.");
   }
   return {};
 }
