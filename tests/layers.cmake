@@ -11,6 +11,7 @@ set(allowed_therapy "common|geometry|camera|vision|tracking|robot")
 set(allowed_control "common|geometry|camera|vision|tracking|robot|therapy")
 set(allowed_simulation "common|geometry|camera|robot")
 set(allowed_devices "common|geometry|camera|robot")
+set(allowed_peers "common|geometry|robot|simulation|devices")
 set(allowed_records "common|geometry|camera|vision|tracking|robot|therapy")
 set(allowed_experiments "common|geometry|camera|vision|tracking|robot|calibration|simulation")
 set(allowed_station
