@@ -70,6 +70,7 @@ struct Kinematics::Body {
         seed(chain.getNrOfJoints()),
         solution(chain.getNrOfJoints()),
         J(chain.getNrOfJoints()) {
+    if (const auto srs = srsArm(arm)) closed_form.emplace(*srs, jointRanges(arm));
     velocity.setLambda(kDamping);
   }
 
@@ -91,8 +92,21 @@ struct Kinematics::Body {
            (solution.data.array() <= upper.data.array()).all();
   }
 
+  [[nodiscard]] Expected<Joints, NoPosture> approached(const RigidTransform& X_BF, const Joints& near) {
+    if (!isRigid(X_BF) || !near.allFinite()) return unexpected(NoPosture::kOutOfReach);
+    std::minstd_rand random(1);  // the same question finds the same answer
+    for (const double spread : kSeedSpread_rad) {
+      std::uniform_real_distribution<double> nearby(-spread, spread);
+      for (Eigen::Index i = 0; i < near.size(); ++i)
+        seed.data[i] = std::clamp(near[i] + nearby(random), lower.data[i], upper.data[i]);
+      if (newtonFinds(X_BF)) return Joints(solution.data);
+    }
+    return unexpected(NoPosture::kOutOfReach);
+  }
+
   [[nodiscard]] int allSegments() const { return static_cast<int>(chain.getNrOfSegments()); }
 
+  std::optional<PostureChoice> closed_form;
   KDL::Chain chain;  // the solvers below keep references to it
   KDL::JntArray lower, upper;
   KDL::ChainFkSolverPos_recursive position;
@@ -128,17 +142,20 @@ Jacobian Kinematics::jacobian(const Joints& q) const {
   return body_->J.data;
 }
 
+Expected<Joints, NoPosture> Kinematics::follow(const RigidTransform& X_BF, const Joints& seed) const {
+  if (body_->closed_form) return body_->closed_form->nearest(X_BF, seed);
+  return body_->approached(X_BF, seed);
+}
+
+Expected<Joints, NoPosture> Kinematics::reach(const RigidTransform& X_BF, const Joints& seed) const {
+  if (body_->closed_form) return body_->closed_form->any(X_BF, seed);
+  return body_->approached(X_BF, seed);
+}
+
 std::optional<Joints> Kinematics::inverse(const RigidTransform& X_BF, const Joints& seed) const {
-  if (!isRigid(X_BF) || !seed.allFinite()) return std::nullopt;
-  Body& body = *body_;
-  std::minstd_rand random(1);  // the same question finds the same answer
-  for (const double spread : kSeedSpread_rad) {
-    std::uniform_real_distribution<double> nearby(-spread, spread);
-    for (int i = 0; i < jointCount(); ++i)
-      body.seed.data[i] = std::clamp(seed[i] + nearby(random), body.lower.data[i], body.upper.data[i]);
-    if (body.newtonFinds(X_BF)) return Joints(body.solution.data);
-  }
-  return std::nullopt;
+  const auto q = follow(X_BF, seed);
+  if (!q) return std::nullopt;
+  return *q;
 }
 
 }  // namespace mirrorarm::robot
