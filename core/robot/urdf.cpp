@@ -5,6 +5,8 @@
 #include <console_bridge/console.h>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include <urdf_parser/urdf_parser.h>
 
@@ -89,23 +91,33 @@ Sweep sweepOf(const urdf::Geometry& shape, const Place& place) {
 /// Walks the chain and gathers the arm.
 class ArmReader {
  public:
-  explicit ArmReader(const urdf::ModelInterface& model) { arm_.name = model.getName(); }
+  explicit ArmReader(const urdf::ModelInterface& model) : links_(model.links_) {
+    arm_.name = model.getName();
+  }
 
   ArmDescription read(const urdf::Link& root) {
-    addShapes(root);
+    visit(root);
     for (const urdf::Link* link = &root; !link->child_joints.empty();
          link = link->child_links.front().get()) {
       if (link->child_joints.size() != 1 || link->child_links.size() != 1)
         refuse({"link", link->name}, "has more than one child: an arm is one chain");
       addJoint(*link->child_joints.front());
-      addShapes(*link->child_links.front());
+      visit(*link->child_links.front());
     }
+    for (const auto& [name, link] : links_)
+      if (!visited_.contains(name)) refuse({"link", name}, "does not hang on the arm's chain");
     if (arm_.joints.empty()) throw Refusal{"has no turning joint"};
     arm_.X_last_F = X_joint_link_;
     return std::move(arm_);
   }
 
  private:
+  void visit(const urdf::Link& link) {
+    if (!visited_.insert(link.name).second)
+      refuse({"link", link.name}, "hangs on itself: the chain is a ring");
+    addShapes(link);
+  }
+
   void addJoint(const urdf::Joint& joint) {
     const Place place{"joint", joint.name};
     X_joint_link_ = X_joint_link_ * toTransform(joint.parent_to_joint_origin_transform, place);
@@ -147,6 +159,8 @@ class ArmReader {
     }
   }
 
+  const std::map<std::string, urdf::LinkSharedPtr>& links_;
+  std::set<std::string> visited_;
   ArmDescription arm_;
   RigidTransform X_joint_link_ =
       RigidTransform::Identity();  // the link at hand in the last turning joint's frame

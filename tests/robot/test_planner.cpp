@@ -40,6 +40,21 @@ TEST(Planner, KnowsWhenTheArmTouchesItself) {
   EXPECT_TRUE(planner.collides(into_base));
 }
 
+TEST(Planner, OrdinaryPosturesOfEveryArmAreClear) {
+  for (const char* name : {"lbr4plus", "iiwa7", "iiwa14", "ur5"}) {
+    const ArmDescription arm = testing::arm(name);
+    const Planner planner(arm, {}, {}, {});
+    EXPECT_FALSE(planner.collides(Joints::Zero(arm.jointCount()))) << name;
+    if (arm.jointCount() != 7) continue;
+    for (const int joint : {1, 3, 5})
+      for (const double end : {-2.094, 2.094}) {
+        Joints bent = Joints::Zero(7);
+        bent[joint] = end;
+        EXPECT_FALSE(planner.collides(bent)) << name << ' ' << joint;
+      }
+  }
+}
+
 TEST(Planner, AttachedShapesTouchTheUpperArm) {
   Joints folded = Joints::Zero(7);
   folded[3] = 2.09;

@@ -23,15 +23,8 @@ Joints bench() { return kPi / 180.0 * (Joints(7) << 0.0, -27.6, 0.0, 83.0, 0.0, 
 
 class PostureChoices : public ::testing::TestWithParam<const char*> {
  protected:
-  /// The bench's posture with this arm's signs.
-  [[nodiscard]] Joints start() const {
-    Joints q(7);
-    const Joints lbr = bench();
-    const SrsArm as = *srsArm(testing::lbr());
-    for (int i = 0; i < 7; ++i)
-      q[i] = lbr[i] * as.sign[static_cast<std::size_t>(i)] * srs_.sign[static_cast<std::size_t>(i)];
-    return q;
-  }
+  /// The bench's posture; the bending joints of the iiwa turn the other way round.
+  [[nodiscard]] Joints start() const { return arm_.joints[1].axis.y() < 0.0 ? bench() : Joints(-bench()); }
 
   ArmDescription arm_ = testing::arm(GetParam());
   SrsArm srs_ = *srsArm(arm_);
@@ -144,10 +137,10 @@ TEST_P(PostureChoices, SaysWhyThereIsNone) {
 
   // The elbow may bend one way alone: from a seed bent the other way every joint must turn over.
   JointRanges one_way = ranges_;
-  one_way.lower[3] = 0.0;
+  (start()[3] > 0.0 ? one_way.lower : one_way.upper)[3] = 0.0;
   const PostureChoice bent(srs_, one_way);
   Joints turned_over = start();
-  turned_over[3] = -std::abs(turned_over[3]);
+  turned_over[3] = -turned_over[3];
   EXPECT_EQ(bent.nearest(kinematics_.flange(turned_over), turned_over).error(), NoPosture::kOnlyWithJump);
   EXPECT_TRUE(bent.any(kinematics_.flange(turned_over), turned_over));
 }
@@ -165,6 +158,6 @@ TEST_P(PostureChoices, NothingIsTakenFromTheHeap) {
       << sum;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, PostureChoices, ::testing::Values("lbr4plus"));
+INSTANTIATE_TEST_SUITE_P(Robots, PostureChoices, ::testing::Values("lbr4plus", "iiwa7", "iiwa14"));
 
 }  // namespace mirrorarm::robot

@@ -125,6 +125,6 @@ TEST_P(SrsArms, NothingIsTakenFromTheHeap) {
       << sum;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, SrsArms, ::testing::Values("lbr4plus"));
+INSTANTIATE_TEST_SUITE_P(Robots, SrsArms, ::testing::Values("lbr4plus", "iiwa7", "iiwa14"));
 
 }  // namespace mirrorarm::robot

@@ -57,8 +57,22 @@ TEST(Urdf, LbrHasTheTablesLimits) {
   EXPECT_NEAR(lbr.joints[5].max_torque_nm, 30.0, 1e-12);
 }
 
+TEST(Urdf, IiwasHaveTheTablesLimits) {
+  const double speeds_deg_s[2][7] = {{98, 98, 100, 130, 140, 180, 180}, {85, 85, 100, 75, 130, 135, 135}};
+  const double ends_deg[7] = {170, 120, 170, 120, 170, 120, 175};
+  for (const int which : {0, 1}) {
+    const ArmDescription iiwa = testing::arm(which == 0 ? "iiwa7" : "iiwa14");
+    ASSERT_EQ(iiwa.jointCount(), 7);
+    for (std::size_t i = 0; i < 7; ++i) {
+      EXPECT_NEAR(iiwa.joints[i].upper_rad, ends_deg[i] * kDeg, 1e-6);
+      EXPECT_EQ(iiwa.joints[i].lower_rad, -iiwa.joints[i].upper_rad);
+      EXPECT_NEAR(iiwa.joints[i].max_speed_rad_s, speeds_deg_s[which][i] * kDeg, 1e-6);
+    }
+  }
+}
+
 TEST(Urdf, EveryLinkHasAShapeOnItsLink) {
-  for (const char* name : {"lbr4plus", "ur5"}) {
+  for (const char* name : {"lbr4plus", "iiwa7", "iiwa14", "ur5"}) {
     const ArmDescription arm = testing::arm(name);
     ASSERT_EQ(arm.shapes.size(), arm.joints.size() + 1) << name;
     for (int link = 0; link <= arm.jointCount(); ++link)
@@ -112,6 +126,31 @@ TEST(Urdf, RefusesWhatIsNoChainOfTurningJoints) {
   EXPECT_NE(refusalOf(chain(kGood, R"(<link name="c"/>)" +
                                        withInstead(withInstead(kGood, "\"b\"", "\"c\""), "\"j\"", "\"k\""))),
             "accepted");
+}
+
+TEST(Urdf, RefusesWhatDoesNotHangTogether) {
+  const std::string back = withInstead(
+      withInstead(withInstead(kGood, "\"j\"", "\"k\""), R"(<parent link="a"/>)", R"(<parent link="b"/>)"),
+      R"(<child link="b"/>)", R"(<child link="a"/>)");
+  EXPECT_NE(refusalOf(chain(kGood, back)), "accepted") << "a ring";
+  const std::string ring_below =
+      R"(<link name="c"/><link name="d"/>)" +
+      withInstead(withInstead(withInstead(kGood, "\"j\"", "\"k\""), "\"a\"", "\"c\""), "\"b\"", "\"d\"") +
+      withInstead(withInstead(withInstead(kGood, "\"j\"", "\"l\""), "\"a\"", "\"d\""), "\"b\"", "\"c\"");
+  EXPECT_NE(refusalOf(chain(kGood, ring_below)), "accepted") << "a ring beside the arm";
+  const std::string fixed_ring = R"(<link name="c"/>
+    <joint name="f" type="fixed"><parent link="b"/><child link="c"/></joint>
+    <joint name="g" type="fixed"><parent link="c"/><child link="b"/></joint>)";
+  EXPECT_NE(refusalOf(chain(kGood, fixed_ring)), "accepted") << "a ring at the end of the arm";
+  EXPECT_NE(refusalOf(chain(withInstead(kGood, "\"b\"", "\"a\""))), "accepted") << "a link that bears itself";
+  EXPECT_NE(refusalOf(chain(kGood, R"(<link name="alone"/>)")), "accepted") << "two roots";
+  EXPECT_NE(refusalOf(chain(withInstead(kGood, "\"b\"", "\"ghost\""))), "accepted") << "an unknown child";
+  EXPECT_NE(refusalOf(chain(withInstead(kGood, "\"a\"", "\"ghost\""))), "accepted") << "an unknown parent";
+  EXPECT_NE(refusalOf(chain(kGood, kGood)), "accepted") << "a name used twice";
+  const std::string nan_limit = refusalOf(chain(withInstead(kGood, R"(lower="-1")", R"(lower="nan")")));
+  EXPECT_NE(nan_limit, "accepted");
+  EXPECT_NE(refusalOf(chain(withInstead(kGood, "<axis", R"(<origin xyz="0 nan 0"/><axis)"))), "accepted");
+  EXPECT_NE(refusalOf(chain(withInstead(kGood, R"(effort="1")", R"(effort="inf")"))), "accepted");
 }
 
 TEST(Urdf, RefusesMoreJointsThanThereIsRoomFor) {
