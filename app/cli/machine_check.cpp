@@ -5,9 +5,6 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <filesystem>
-#include <pthread.h>
-#include <sched.h>
-#include <sys/resource.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -17,6 +14,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "core/common/resources.h"
+#include "core/devices/real_time.h"
 
 namespace mirrorarm::cli {
 namespace {
@@ -79,21 +77,12 @@ MachineCheck openGl() {
           has_card ? "libGL and a graphics card" : "libGL; no graphics card, Mesa draws in software"};
 }
 
-/// Tries it on a thread of its own: a limit alone does not tell what a container forbids.
-MachineCheck realTime() {
-  rlimit limit{};
-  ::getrlimit(RLIMIT_RTPRIO, &limit);
-  int error = 0;
-  std::thread([&error] {
-    sched_param priority{};
-    priority.sched_priority = 1;
-    error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &priority);
-  }).join();
-  const std::string limit_text = "RLIMIT_RTPRIO " + std::to_string(limit.rlim_cur);
-  if (error == 0) return {"real_time", true, limit_text + ", a thread may run under SCHED_FIFO"};
-  return {"real_time", false,
-          limit_text + ", SCHED_FIFO refused (" + std::strerror(error) +
-              "): add '@realtime - rtprio 90' to /etc/security/limits.conf"};
+/// Tried on a thread of its own, as the servo thread will: a limit alone does not tell what a container
+/// forbids.
+devices::RealTimeGrant triedRealTime() {
+  devices::RealTimeGrant grant;
+  std::thread([&grant] { grant = devices::askForRealTime(); }).join();
+  return grant;
 }
 
 MachineCheck resources() {
@@ -134,7 +123,16 @@ MachineCheck libraries() {
 }  // namespace
 
 std::vector<MachineCheck> checkMachine() {
-  return {cores(), memory(), display(), openGl(), realTime(), resources(), data(), libraries()};
+  const auto grant = triedRealTime();
+  return {cores(),
+          memory(),
+          display(),
+          openGl(),
+          {"real_time", grant.scheduling_error == 0, schedulingLine(grant)},
+          {"locked_memory", grant.memory_error == 0, memoryLine(grant)},
+          resources(),
+          data(),
+          libraries()};
 }
 
 }  // namespace mirrorarm::cli

@@ -4,6 +4,7 @@
 
 #include "core/common/log.h"
 #include "core/common/signal.h"
+#include "core/devices/real_time.h"
 #include "core/station/even_beat.h"
 #include "core/station/stages.h"
 
@@ -14,6 +15,11 @@ namespace {
 constexpr Seconds kPatience{0.1};
 /// A robot that sets the pace may be silent so long before the watchdogs are asked.
 constexpr double kSilentCycles = 3.0;
+
+void tellRealTime(const devices::RealTimeGrant& grant) {
+  log(grant.isFull() ? LogLevel::kInfo : LogLevel::kWarning,
+      "servo: " + schedulingLine(grant) + "; " + memoryLine(grant));
+}
 
 }  // namespace
 
@@ -56,6 +62,7 @@ struct Station::Body {
   }
 
   void serve(const std::stop_token& stop) {
+    tellRealTime(devices::askForRealTime());
     robot::RobotLink& robot = *equipment.robot;
     if (!robot.setsThePace())
       atEvenBeat(stop, robot.period(), [this](TimePoint now) { stages.servo.step(now); });
