@@ -44,6 +44,7 @@ struct ServoLoop::Body {
   Body(const robot::ArmDescription& arm, const robot::MotionLimits& profile, robot::RobotLink& robot_link,
        const SupervisorSettings& watched, const AssistSettings& helped)
       : limits(profile),
+        braking(brakingLimits(profile)),
         link(robot_link),
         settings(watched),
         period(robot_link.period()),
@@ -124,15 +125,16 @@ struct ServoLoop::Body {
     if (!driven && !takeOver()) return watchOnly();
     const MotionState* const goal = wished();
     const robot::Jacobian J = kinematics.jacobian(last.q_rad);
-    const robot::MotionLimits now_allowed = soft_start.scaled(limits);
+    const robot::Surroundings around{.jacobian = J, .following_error_rad = vitals.following_error_rad};
+    const robot::MotionLimits& stopping = state.permit == Permit::kStop ? braking : limits;
     const robot::Guarded guarded =
-        goal ? guardMotion({goal->q_rad, goal->v_rad_s}, last, J, period.count(), now_allowed)
-             : brakeMotion(last, J, period.count(), limits);
-    if (goal && guarded.action == robot::GuardAction::kPassed)
-      state.commanded = *goal;
-    else
-      state.commanded = {guarded.command.q_rad, guarded.command.v_rad_s,
-                         (guarded.command.v_rad_s - last.v_rad_s) / period.count()};
+        goal ? guardMotion(*goal, last, around, period.count(), soft_start.scaled(limits))
+             : brakeMotion(last, around, period.count(), stopping);
+    const robot::Commanded& sent = guarded.command;
+    state.commanded = goal && guarded.action == robot::GuardAction::kPassed
+                          ? *goal
+                          : MotionState{sent.q_rad, sent.v_rad_s, sent.a_rad_s2};
+    if (guarded.action == robot::GuardAction::kFollowingError) latch.stop(StopReason::kFollowingError);
     state.guard = guarded.action;
     state.sent = last = guarded.command;
     send();
@@ -217,7 +219,7 @@ struct ServoLoop::Body {
   bool takeOver() noexcept {
     const Joints& q = state.measured.q_rad;
     if (vitals.fault != LinkFault::kNone || largest(state.measured.v_rad_s) > restSpeed()) return false;
-    last = {q, Joints::Zero(q.size())};
+    last = robot::restAt(q);
     return driven = true;
   }
 
@@ -241,6 +243,7 @@ struct ServoLoop::Body {
 
   // Never changed after construction.
   const robot::MotionLimits limits;
+  const robot::MotionLimits braking;  // for a stop; a hold keeps `limits`
   robot::RobotLink& link;
   const SupervisorSettings settings;
   const Seconds period;

@@ -45,6 +45,14 @@ std::optional<MotionLimits> limitsOf(std::string_view profile, const ArmDescript
   return limits;
 }
 
+MotionLimits brakingLimits(const MotionLimits& limits) {
+  MotionLimits braking = limits;
+  braking.max_acceleration_rad_s2 *= limits.stop_share;
+  braking.max_jerk_rad_s3 *= limits.stop_share;
+  braking.max_tool_acceleration_m_s2 *= limits.stop_share;
+  return braking;
+}
+
 std::vector<std::string_view> limitProfiles() {
   std::vector<std::string_view> names;
   for (const auto& profile : kProfiles) names.push_back(profile.name);

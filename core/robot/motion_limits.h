@@ -19,7 +19,14 @@ struct MotionLimits {
   Joints max_jerk_rad_s3;  ///< the paper names none: see docs/adr/0010-following-without-rests.md
   double max_tool_speed_m_s = 0.0;
   double max_tool_acceleration_m_s2 = 0.0;
+  /// Farther than this from where it was sent the robot is braked: twice what drives lag behind at full
+  /// speed.
+  double max_following_error_rad = 0.05;
+  double stop_share = 2.0;  ///< of acceleration and jerk, where somebody calls a stop
 };
+
+/// The same limits with what a called stop may use of acceleration and jerk. docs/adr/0011-motion-guard.md.
+[[nodiscard]] MotionLimits brakingLimits(const MotionLimits& limits);
 
 /// Named profiles: "therapy" (joints 0.24 rad/s, 0.5 or 0.8 rad/s^2 and 40 rad/s^3,
 /// tool 0.24 m/s and 0.8 m/s^2), "t1"

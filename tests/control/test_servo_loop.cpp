@@ -46,7 +46,9 @@ class Bench {
     }
     if (known && speed.size() > 0) {
       const Joints a = (v - speed) / 0.005;
-      EXPECT_LE(a.cwiseQuotient(limits.max_acceleration_rad_s2).cwiseAbs().maxCoeff(), 1.0 + 1e-4);
+      stopped = stopped || state.permit == Permit::kStop;  // from then on the stop's own limits may act
+      const robot::MotionLimits allowed = stopped ? robot::brakingLimits(limits) : limits;
+      EXPECT_LE(a.cwiseQuotient(allowed.max_acceleration_rad_s2).cwiseAbs().maxCoeff(), 1.0 + 1e-4);
     }
     commanded = driven ? q : Joints();
     speed = v;
@@ -78,6 +80,7 @@ class Bench {
   ServoState state;
   TimePoint seen_at{};
   Joints commanded, speed;
+  bool stopped = false;
   bool following = false;
   bool target_seen = true;
 };

@@ -100,14 +100,24 @@ QString words(robot::GuardAction action) {
       return Words::tr("Within limits");
     case robot::GuardAction::kNotFinite:
       return Words::tr("Braked: invalid command");
+    case robot::GuardAction::kFollowingError:
+      return Words::tr("Braked: robot is not where it should be");
     case robot::GuardAction::kPosition:
       return Words::tr("Joint range");
-    case robot::GuardAction::kSpeed:
-      return Words::tr("Joint speed");
+    case robot::GuardAction::kCollision:
+      return Words::tr("Close to an obstacle");
+    case robot::GuardAction::kJerk:
+      return Words::tr("Joint jerk");
     case robot::GuardAction::kAcceleration:
       return Words::tr("Joint acceleration");
+    case robot::GuardAction::kSpeed:
+      return Words::tr("Joint speed");
+    case robot::GuardAction::kZoneSpeed:
+      return Words::tr("Slow near the head");
     case robot::GuardAction::kToolSpeed:
       return Words::tr("Tool speed");
+    case robot::GuardAction::kToolAcceleration:
+      return Words::tr("Tool acceleration");
   }
   return {};
 }

@@ -171,7 +171,7 @@ TEST(Words, EveryReasonHasSome) {
     }
   }
   for (int i = 0; i < kActionCount; ++i) EXPECT_FALSE(words(static_cast<Action>(i)).isEmpty());
-  for (int i = 0; i <= static_cast<int>(robot::GuardAction::kToolSpeed); ++i)
+  for (int i = 0; i <= static_cast<int>(robot::GuardAction::kToolAcceleration); ++i)
     EXPECT_FALSE(words(static_cast<robot::GuardAction>(i)).isEmpty());
   for (int i = 0; i <= static_cast<int>(station::Answer::kQueueFull); ++i)
     EXPECT_FALSE(words(static_cast<station::Answer>(i)).isEmpty());
