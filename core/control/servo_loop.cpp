@@ -134,7 +134,6 @@ struct ServoLoop::Body {
     state.commanded = goal && guarded.action == robot::GuardAction::kPassed
                           ? *goal
                           : MotionState{sent.q_rad, sent.v_rad_s, sent.a_rad_s2};
-    if (guarded.action == robot::GuardAction::kFollowingError) latch.stop(StopReason::kFollowingError);
     state.guard = guarded.action;
     state.sent = last = guarded.command;
     send();

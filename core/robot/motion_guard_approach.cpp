@@ -6,15 +6,15 @@
 namespace mirrorarm::robot {
 namespace {
 
-constexpr double kSlack = 1e-6;             // share of a limit that rounding may use up
-constexpr double kSameSpeed = 0.5;          // of what the jerk changes in two cycles
-constexpr double kSameAcceleration = 1.5;   // of what the jerk changes in a cycle
-constexpr double kSpeedGain_hz = 50.0;      // from a missing speed to an acceleration
-constexpr double kMostGain = 0.3;           // of a missing speed in one cycle
-constexpr double kPositionGain = 0.24;      // of the other gain: below a quarter nothing overshoots
-constexpr double kBraking = 0.5;            // share of the acceleration with which a wish is approached
-constexpr double kClearanceGain_hz = 4.0;   // from a gap to the speed towards it
-constexpr double kRestGain_hz = 10.0;       // the same for the gap that a stop leaves
+constexpr double kSlack = 1e-6;            // share of a limit that rounding may use up
+constexpr double kSameSpeed = 0.5;         // of what the jerk changes in two cycles
+constexpr double kSameAcceleration = 1.5;  // of what the jerk changes in a cycle
+constexpr double kSpeedGain_hz = 50.0;     // from a missing speed to an acceleration
+constexpr double kMostGain = 0.3;          // of a missing speed in one cycle
+constexpr double kPositionGain = 0.24;     // of the other gain: below a quarter nothing overshoots
+constexpr double kBraking = 0.5;           // share of the acceleration with which a wish is approached
+constexpr double kClearanceGain_hz = 4.0;  // from a gap to the speed towards it
+constexpr double kRestGain_hz = 10.0;      // the same for the gap that a stop leaves
 constexpr int kClearanceRounds = 2;
 constexpr double kSpeedShare = 0.99;
 constexpr double kToolSpeedShare = 0.98;

@@ -19,9 +19,8 @@ struct MotionLimits {
   Joints max_jerk_rad_s3;  ///< the paper names none: see docs/adr/0010-following-without-rests.md
   double max_tool_speed_m_s = 0.0;
   double max_tool_acceleration_m_s2 = 0.0;
-  /// Farther than this from where it was sent the robot is braked: twice what drives lag behind at full
-  /// speed.
-  double max_following_error_rad = 0.05;
+  /// Farther than this from where it was sent the robot is braked.
+  double max_following_error_rad = 0.10;
   double stop_share = 2.0;  ///< of acceleration and jerk, where somebody calls a stop
 };
 

@@ -271,7 +271,7 @@ TEST(Start, AfterAHoldKeepsTheSpeedThatIsThere) {
   bench.target_seen = true;
   bench.cycle();
   EXPECT_NEAR(bench.state.soft_start, held / 0.24, 0.01);
-  EXPECT_GE(bench.state.commanded.v_rad_s[0], held - 1e-9);
+  EXPECT_GE(bench.state.commanded.v_rad_s[0], held - 0.001);  // the braking ends within the jerk limit
 }
 
 TEST(Enabling, FromPressedThroughTheWayLeadsOverReleased) {

@@ -14,16 +14,16 @@ namespace mirrorarm::robot::testing {
 class Mischief {
  public:
   enum class Kind {
-    kAnywhere,      ///< a new place every cycle
-    kShaking,       ///< about where the arm is
-    kNonsense,      ///< not a number, infinite or enormous now and then
-    kUpwards,       ///< beyond all upper ends
-    kDownwards,     ///< beyond all lower ends
-    kFlipping,      ///< to and fro, every few cycles or every one
-    kSprinting,     ///< as fast as allowed, one way
-    kBanging,       ///< full jerk to and fro, each joint at its own times: a wish that keeps all joint limits
-    kCornering,     ///< full jerk of all joints in the direction in which the flange gains most
-    kSwinging,      ///< sines too fast for the arm
+    kAnywhere,   ///< a new place every cycle
+    kShaking,    ///< about where the arm is
+    kNonsense,   ///< not a number, infinite or enormous now and then
+    kUpwards,    ///< beyond all upper ends
+    kDownwards,  ///< beyond all lower ends
+    kFlipping,   ///< to and fro, every few cycles or every one
+    kSprinting,  ///< as fast as allowed, one way
+    kBanging,    ///< full jerk to and fro, each joint at its own times: a wish that keeps all joint limits
+    kCornering,  ///< full jerk of all joints in the direction in which the flange gains most
+    kSwinging,   ///< sines too fast for the arm
   };
   static constexpr int kKinds = 10;
   static constexpr std::array<std::string_view, kKinds> kNames = {

@@ -210,7 +210,7 @@ TEST(MotionGuard, ARobotThatIsElsewhereIsBraked) {
   const double speed = guard.last.v_rad_s[2];
   for (int i = 0; i < 50; ++i) {
     const Jacobian J = guard.kinematics.jacobian(guard.last.q_rad);
-    const Surroundings around{.jacobian = J, .following_error_rad = 0.06};
+    const Surroundings around{.jacobian = J, .following_error_rad = 0.11};
     const Guarded guarded = guardMotion(guard.here(), guard.last, around, kPeriod_s, guard.limits);
     EXPECT_EQ(guarded.action, GuardAction::kFollowingError);
     guard.last = guarded.command;
