@@ -11,7 +11,44 @@ namespace {
 constexpr double kFastestGoal = 0.95;  // of a joint's speed: there must be some left to catch up with
 constexpr double kSlack = 1e-9;
 
-double magnitude(const Range& range) { return std::max(std::abs(range.least), std::abs(range.most)); }
+/// Larger of the magnitudes at both ends of [0, duration] and at the turning points inside.
+double largestOf(const Polynomial& p, double duration, std::initializer_list<double> turns) {
+  double largest = std::max(std::abs(valueAt(p, 0.0)), std::abs(valueAt(p, duration)));
+  for (const double t : turns)
+    if (t > 0.0 && t < duration) largest = std::max(largest, std::abs(valueAt(p, t)));
+  return largest;
+}
+
+/// Range that a quartic does not leave over [0, duration]: that of its control points (Bernstein form).
+Range hullOf(const Polynomial& p, double duration) {
+  constexpr std::array<std::array<double, 5>, 5> kShares = {{{1.0, 0.0, 0.0, 0.0, 0.0},
+                                                             {1.0, 1.0 / 4.0, 0.0, 0.0, 0.0},
+                                                             {1.0, 1.0 / 2.0, 1.0 / 6.0, 0.0, 0.0},
+                                                             {1.0, 3.0 / 4.0, 1.0 / 2.0, 1.0 / 4.0, 0.0},
+                                                             {1.0, 1.0, 1.0, 1.0, 1.0}}};
+  Range hull{p[0], p[0]};
+  for (const auto& shares : kShares) {
+    double point = 0.0, power = 1.0;
+    for (std::size_t i = 0; i < shares.size(); ++i, power *= duration) point += shares[i] * p[i] * power;
+    hull = {std::min(hull.least, point), std::max(hull.most, point)};
+  }
+  return hull;
+}
+
+/// Whether a quintic keeps the limits, for sure: one whose control points of the speed leave them is refused,
+/// although the speed itself may not.
+bool surelyKeeps(const Polynomial& quintic, double duration_s, const AxisLimits& limits) {
+  const Polynomial speed = derivative(quintic), acceleration = derivative(speed),
+                   jerk = derivative(acceleration);
+  const double vertex = -jerk[1] / (2.0 * jerk[2]);
+  if (!(largestOf(jerk, duration_s, {vertex}) <= limits.jerk + kSlack)) return false;
+  const double spread = std::sqrt(std::max(0.0, vertex * vertex - jerk[0] / jerk[2]));
+  if (!(largestOf(acceleration, duration_s, {vertex - spread, vertex + spread}) <=
+        limits.acceleration + kSlack))
+    return false;
+  const Range hull = hullOf(speed, duration_s);
+  return hull.least >= limits.least_speed - kSlack && hull.most <= limits.most_speed + kSlack;
+}
 
 Polynomial cubic(const EndState& from, double jerk) { return {from.q, from.v, from.a / 2.0, jerk / 6.0}; }
 
@@ -38,7 +75,8 @@ class Trajectory::Pursuit {
     const double until = moves ? horizon_s : std::max(catch_up_s, leastTime());
     double t = 0.0;
     EndState state = from_;
-    if (const auto smooth = quinticBetween(from_, {}, catch_up_s); isWithinLimits(smooth, catch_up_s)) {
+    if (const auto smooth = quinticBetween(from_, {}, catch_up_s);
+        leastTime() < catch_up_s && surelyKeeps(smooth, catch_up_s, limits_)) {
       t = std::min(catch_up_s, until);
       state = append(joint, 0.0, t, smooth);
     } else {
@@ -55,14 +93,6 @@ class Trajectory::Pursuit {
   }
 
  private:
-  [[nodiscard]] bool isWithinLimits(const Polynomial& relative, double duration_s) const {
-    const MotionRanges ranges = rangesOf(relative, duration_s);
-    return ranges.speed.least >= limits_.least_speed - kSlack &&
-           ranges.speed.most <= limits_.most_speed + kSlack &&
-           magnitude(ranges.acceleration) <= limits_.acceleration + kSlack &&
-           magnitude(ranges.jerk) <= limits_.jerk + kSlack;
-  }
-
   /// Appends a piece that begins at `t`; gives the relative state at its end.
   EndState append(JointMotion& joint, double t, double lasts, const Polynomial& relative) const {
     Polynomial absolute = relative;

@@ -6,7 +6,7 @@ namespace mirrorarm::robot {
 namespace {
 
 constexpr int kMostSteps = 40;
-constexpr double kExact = 1e-12;  // of the position [rad]
+constexpr double kExact = 1e-11;  // of the position [rad]
 
 EndState afterAll(EndState state, const SpeedChange& change) {
   for (const JerkPiece& piece : change) state = after(state, piece);
