@@ -1,23 +1,23 @@
 #include "core/control/follower.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <limits>
+
+#include "core/control/motion_timer.h"
 
 namespace mirrorarm::control {
 namespace {
 
 using robot::Joints;
 using robot::MotionState;
+using robot::MovingGoal;
 using robot::Trajectory;
 
+constexpr double kExactly_rad = 1e-6;         // nearer to the motion in force: the guard let it pass
 constexpr double kOffTrajectory_rad = 0.005;  // further from the motion in force: it is not being followed
 constexpr double kCheckEvery_rad = 0.02;      // of the finished motion, for collisions
-constexpr int kToolSamples = 24;
-constexpr int kToolRounds = 4;
-constexpr double kToolSlack = 1.001;
-constexpr double kPosturePull = 0.02;  // of the way to the first posture, each step
-constexpr double kInside = 0.99;  // share of the limits that is planned with; the guard enforces the rest
+constexpr double kPosturePull = 0.02;         // of the way to the first posture, each step
+constexpr double kSameEnd_rad = 0.05;         // a detour whose end is this near the goal is gone to its end
 
 double largest(const Joints& q) { return q.cwiseAbs().maxCoeff(); }
 
@@ -30,14 +30,6 @@ robot::ArmDescription within(const robot::MotionLimits& limits, robot::ArmDescri
   return arm;
 }
 
-robot::MotionLimits inside(robot::MotionLimits limits) {
-  limits.max_speed_rad_s *= kInside;
-  limits.max_acceleration_rad_s2 *= kInside;
-  limits.max_tool_speed_m_s *= kInside;
-  limits.max_tool_acceleration_m_s2 *= kInside;
-  return limits;
-}
-
 FollowOutcome outcomeOf(robot::PlanError error) {
   return error == robot::PlanError::kJointRange ? FollowOutcome::kJointRange : FollowOutcome::kBlocked;
 }
@@ -46,119 +38,144 @@ FollowOutcome outcomeOf(robot::PlanError error) {
 
 struct Follower::Body {
   Body(const robot::ArmDescription& arm, const RigidTransform& sling, const robot::MotionLimits& profile,
-       robot::Planner collision_planner, const FollowerSettings& chosen)
-      : X_EF(sling.inverse()),
-        limits(inside(profile)),
+       robot::CollisionWorld collisions, const FollowerSettings& chosen)
+      : X_FE(sling),
+        X_EF(sling.inverse()),
         settings(chosen),
+        fastest_rad_s(profile.max_speed_rad_s.maxCoeff()),
         kinematics(within(profile, arm)),
-        planner(std::move(collision_planner)) {}
+        timer(arm, profile),
+        world(std::move(collisions)) {}
 
-  [[nodiscard]] bool isFollowed(const MotionState& commanded, TimePoint now) const {
-    return in_force.valid() && largest(in_force.at(now).q_rad - commanded.q_rad) < kOffTrajectory_rad;
+  [[nodiscard]] double distanceFromMotion(const MotionState& commanded, TimePoint now) const {
+    return in_force.valid() ? largest(in_force.at(now).q_rad - commanded.q_rad)
+                            : std::numeric_limits<double>::infinity();
   }
 
-  [[nodiscard]] bool isInDeadBand(const RigidTransform& X_BE) const {
-    return (X_BE.translation() - last_goal.translation()).norm() < settings.dead_band_m &&
-           angleBetween(X_BE, last_goal) < settings.dead_band_rad;
+  /// What will be commanded when the next motion begins.
+  [[nodiscard]] MotionState atHandover(const MotionState& commanded, TimePoint now) const {
+    if (distanceFromMotion(commanded, now) < kExactly_rad)
+      return in_force.at(now + toClock(settings.handover));
+    const double t = settings.handover.count();
+    return {commanded.q_rad + t * commanded.v_rad_s + 0.5 * t * t * commanded.a_rad_s2,
+            commanded.v_rad_s + t * commanded.a_rad_s2, commanded.a_rad_s2};
   }
 
   /// Where inverse kinematics starts. From the last goal, so that the same question gets the same answer;
   /// drawn a little towards the posture in which following began, because the redundant joint of a closed
   /// movement would wander off otherwise.
-  [[nodiscard]] Joints seed(const MotionState& commanded, bool followed) {
+  [[nodiscard]] Joints seed(const MotionState& commanded, TimePoint now) {
+    const bool followed = distanceFromMotion(commanded, now) < kOffTrajectory_rad;
     if (!in_force.valid()) posture = commanded.q_rad;
-    const Joints near = followed ? in_force.goal() : commanded.q_rad;
+    const Joints near = followed ? last_goal : commanded.q_rad;
     return near + kPosturePull * (posture - near);
   }
 
-  FollowStep towards(const RigidTransform& X_BE, const MotionState& commanded, const Joints& seed,
-                     TimePoint now) {
-    const auto goal = kinematics.inverse(X_BE * X_EF, seed);
-    if (!goal) return {FollowOutcome::kOutOfReach, {}};
-    if (largest(*goal - commanded.q_rad) > settings.max_joint_step_rad)
-      return {FollowOutcome::kJointRange, {}};
-    const auto path = planner.plan(commanded.q_rad, *goal);
-    if (!path) return {outcomeOf(path.error().why), {}};
-    const Trajectory motion = timed(commanded, path->waypoints, now);
-    // From a moving start the motion bends off the straight line that was checked.
-    if (!isClear(motion)) return {FollowOutcome::kBlocked, {}};
-    return {path->direct ? FollowOutcome::kDirect : FollowOutcome::kPlanned, motion};
+  [[nodiscard]] std::optional<MovingGoal> jointGoal(const ToolGoal& goal, const Joints& near) const {
+    const auto q = kinematics.inverse(goal.X_BE * X_EF, near);
+    if (!q) return std::nullopt;
+    const auto soon = kinematics.inverse(goal.X_BE_soon * X_EF, *q);
+    return MovingGoal{*q, soon ? Joints((*soon - *q) / goal.soon.count()) : Joints::Zero(q->size())};
   }
 
-  /// As fast as joints and tool allow.
-  [[nodiscard]] Trajectory timed(const MotionState& from, std::span<const Joints> waypoints,
-                                 TimePoint now) const {
-    Seconds at_least(0.0);
-    Trajectory motion = Trajectory::through(from, waypoints, now, limits);
-    for (int round = 0; round < kToolRounds; ++round) {
-      const double excess = toolExcess(motion);
-      if (excess <= kToolSlack) break;
-      at_least = excess * motion.duration();
-      motion = Trajectory::through(from, waypoints, now, limits, at_least);
-    }
-    return motion;
+  [[nodiscard]] bool isOnDetour(TimePoint now) const {
+    return on_detour && now < in_force.end() && largest(last_goal - in_force.goal()) < kSameEnd_rad;
   }
 
-  [[nodiscard]] Eigen::Vector3d toolSpeed(const MotionState& state) const {
-    return kinematics.jacobian(state.q_rad).topRows<3>() * state.v_rad_s;
+  FollowStep towards(const MovingGoal& goal, const MotionState& from, TimePoint start) {
+    if (largest(goal.q_rad - from.q_rad) > settings.max_joint_step_rad)
+      return {.outcome = FollowOutcome::kJointRange};
+    const Trajectory motion = timer.pursuit(from, goal, start, settings.times);
+    if (const auto contact = contactOn(motion)) return ask(from.q_rad, goal.q_rad, contact);
+    on_detour = false;
+    question.reset();
+    in_force = motion;
+    return {.outcome = FollowOutcome::kDirect, .trajectory = motion};
   }
 
-  /// By how much the motion must be slower for the flange to keep its limits; 1 and less: it does. What the
-  /// moving start already has cannot be mended by time.
-  [[nodiscard]] double toolExcess(const Trajectory& motion) const {
-    const Seconds step = motion.duration() / kToolSamples;
-    Eigen::Vector3d last = toolSpeed(motion.at(motion.start()));
-    const double speed_limit = std::max(limits.max_tool_speed_m_s, last.norm());
-    double acceleration_limit = limits.max_tool_acceleration_m_s2;
-    double excess = 0.0;
-    for (int i = 1; i <= kToolSamples; ++i) {
-      const Eigen::Vector3d v = toolSpeed(motion.at(motion.start() + toClock(i * step)));
-      const double acceleration = (v - last).norm() / step.count();
-      if (i == 1) acceleration_limit = std::max(acceleration_limit, acceleration);
-      excess = std::max({excess, v.norm() / speed_limit, std::sqrt(acceleration / acceleration_limit)});
-      last = v;
-    }
-    return excess;
+  /// One question at a time: the next is asked when this one is answered.
+  FollowStep ask(const Joints& from, const Joints& to, const std::optional<robot::Contact>& contact) {
+    FollowStep step{.outcome = refused.value_or(FollowOutcome::kPlanning), .contact = contact};
+    if (question) return step;
+    question = PlanQuestion{++questions, from, to};
+    step.question = question;
+    return step;
   }
 
-  [[nodiscard]] bool isClear(const Trajectory& motion) const {
-    const double fastest = limits.max_speed_rad_s.maxCoeff();
-    const int samples = 1 + static_cast<int>(motion.duration().count() * fastest / kCheckEvery_rad);
+  /// The first contact on the way.
+  [[nodiscard]] std::optional<robot::Contact> contactOn(const Trajectory& motion) const {
+    const int samples = 1 + static_cast<int>(motion.duration().count() * fastest_rad_s / kCheckEvery_rad);
+    Joints last = motion.at(motion.start()).q_rad;
     for (int i = 1; i <= samples; ++i) {
-      const auto t = motion.start() + toClock(motion.duration() * (static_cast<double>(i) / samples));
-      if (planner.collides(motion.at(t).q_rad)) return false;
+      const Joints q =
+          motion.at(motion.start() + toClock(motion.duration() * (static_cast<double>(i) / samples))).q_rad;
+      if (i < samples && largest(q - last) < 0.5 * kCheckEvery_rad) continue;  // hardly moved since
+      last = q;
+      if (const auto contact = world.contact(q)) return contact;
     }
-    return true;
+    return std::nullopt;
   }
 
-  RigidTransform X_EF;
-  robot::MotionLimits limits;
-  FollowerSettings settings;
+  const RigidTransform X_FE, X_EF;
+  const FollowerSettings settings;
+  const double fastest_rad_s;
   robot::Kinematics kinematics;
-  robot::Planner planner;
+  MotionTimer timer;
+  robot::CollisionWorld world;
   Joints posture;  // in which following began
+  Joints last_goal;
   Trajectory in_force;
-  RigidTransform last_goal = RigidTransform::Identity();  // good while `in_force` is valid
+  bool on_detour = false;
+  std::optional<PlanQuestion> question;  // open
+  std::optional<FollowOutcome> refused;  // what came of the last one, until a way is found
+  std::uint64_t questions = 0;
 };
 
 Follower::Follower(const robot::ArmDescription& arm, const RigidTransform& X_FE,
-                   const robot::MotionLimits& limits, robot::Planner planner,
+                   const robot::MotionLimits& limits, robot::CollisionWorld world,
                    const FollowerSettings& settings)
-    : body_(std::make_unique<Body>(arm, X_FE, limits, std::move(planner), settings)) {}
+    : body_(std::make_unique<Body>(arm, X_FE, limits, std::move(world), settings)) {}
 Follower::~Follower() = default;
 
-FollowStep Follower::step(const RigidTransform& X_BE_goal, const MotionState& commanded, TimePoint now) {
-  const bool followed = body_->isFollowed(commanded, now);
-  if (followed && body_->isInDeadBand(X_BE_goal)) return {FollowOutcome::kHeld, {}};
-  FollowStep step = body_->towards(X_BE_goal, commanded, body_->seed(commanded, followed), now);
-  if (step.isNew()) {
-    body_->in_force = step.trajectory;
-    body_->last_goal = X_BE_goal;
-  }
+FollowStep Follower::step(const ToolGoal& goal, const MotionState& commanded, TimePoint now) {
+  const auto joints = body_->jointGoal(goal, body_->seed(commanded, now));
+  if (!joints) return {.outcome = FollowOutcome::kOutOfReach};
+  body_->last_goal = joints->q_rad;
+  if (body_->isOnDetour(now)) return {.outcome = FollowOutcome::kHeld};
+  FollowStep step =
+      body_->towards(*joints, body_->atHandover(commanded, now), now + toClock(body_->settings.handover));
+  if (step.isNew()) body_->refused.reset();
   return step;
 }
 
-void Follower::reset() { body_->in_force = {}; }
+FollowStep Follower::take(const PlanAnswer& answer, const MotionState& commanded, TimePoint now) {
+  if (!body_->question || answer.number != body_->question->number) return {};
+  body_->question.reset();
+  if (answer.refusal) {
+    body_->refused = outcomeOf(answer.refusal->why);
+    return {.outcome = *body_->refused, .contact = answer.refusal->contact};
+  }
+  const Trajectory motion = body_->timer.through(body_->atHandover(commanded, now), answer.path(),
+                                                 now + toClock(body_->settings.handover));
+  // The arm moved on while the way was planned, and from a moving start it bends off what was checked.
+  if (const auto contact = body_->contactOn(motion))
+    return {.outcome = FollowOutcome::kPlanning, .contact = contact};
+  body_->refused.reset();
+  body_->on_detour = true;
+  body_->in_force = motion;
+  return {.outcome = FollowOutcome::kPlanned, .trajectory = motion};
+}
+
+void Follower::reset() {
+  body_->in_force = {};
+  body_->on_detour = false;
+  body_->question.reset();
+  body_->refused.reset();
+}
+
+RigidTransform Follower::X_BE(const Joints& q_rad) const {
+  return body_->kinematics.flange(q_rad) * body_->X_FE;
+}
 
 std::string_view id(FollowOutcome outcome) {
   switch (outcome) {
@@ -168,6 +185,8 @@ std::string_view id(FollowOutcome outcome) {
       return "planned";
     case FollowOutcome::kHeld:
       return "held";
+    case FollowOutcome::kPlanning:
+      return "planning";
     case FollowOutcome::kOutOfReach:
       return "out_of_reach";
     case FollowOutcome::kBlocked:

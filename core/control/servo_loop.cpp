@@ -84,10 +84,12 @@ struct ServoLoop::Body {
       vitals.last_decision = vitals.now;
     }
     state.enabling = vitals.enabling = enabling.update(vitals.now);
-    if (const Order* const news = orders.take()) {
-      order = news;
-      refuseIf(refusalOf(*news));  // `vitals.moving` still tells of the motion before
-    }
+    if (const Order* const news = orders.take()) next = news;
+    // The motion before goes on until the new one begins.
+    if (next == nullptr || next->trajectory.start() > state.time) return;
+    order = *next;
+    next = nullptr;
+    refuseIf(refusalOf(order));  // `vitals.moving` still tells of the motion before
   }
 
   void watch() noexcept {
@@ -145,12 +147,12 @@ struct ServoLoop::Body {
       interrupted = true;
       return nullptr;
     }
-    if (order == nullptr || !order->trajectory.valid()) {
+    if (!order.trajectory.valid()) {
       interrupted = true;
       return nullptr;
     }
-    if (order->latch != latched) return refuseIf(MotionRefusal::kStopped);
-    wish = order->trajectory.at(state.time);
+    if (order.latch != latched) return refuseIf(MotionRefusal::kStopped);
+    wish = order.trajectory.at(state.time);
     if (interrupted) {
       if (largest(wish.q_rad - last.q_rad) > kNear_rad) return refuseIf(MotionRefusal::kStartElsewhere);
       soft_start.begin(last, limits);
@@ -176,15 +178,14 @@ struct ServoLoop::Body {
   const MotionState* refuseIf(MotionRefusal refusal) noexcept {
     state.refused = refusal;
     if (refusal == MotionRefusal::kNone) return nullptr;
-    order = nullptr;
+    order.trajectory = {};
     interrupted = true;
     return nullptr;
   }
 
   [[nodiscard]] bool isMoving() const noexcept {
     if (!driven) return false;
-    const bool has_more =
-        order != nullptr && order->trajectory.valid() && order->trajectory.end() > state.time;
+    const bool has_more = order.trajectory.valid() && order.trajectory.end() > state.time;
     return has_more || largest(last.v_rad_s) > kCommandedRest_rad_s;
   }
 
@@ -264,7 +265,8 @@ struct ServoLoop::Body {
   ServoState state;
   robot::Commanded last;  // what was sent; good while `driven`
   MotionState wish;
-  const Order* order = nullptr;  // in force; inside `orders` until the next is taken
+  Order order;                  // in force
+  const Order* next = nullptr;  // not begun yet; inside `orders` until the next is taken
   StopLatch::Value latched;
   Stop stop;
   bool running = false;

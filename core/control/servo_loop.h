@@ -28,9 +28,10 @@ class ServoLoop {
   /// One cycle. Servo thread only.
   const ServoState& step(TimePoint now) noexcept;
 
-  /// The motion to follow from now on; ServoState::refused tells why one is not. One that is handed over
-  /// while a stop is latched is never followed. After a hold the motion in force goes on if the robot has
-  /// hardly left it; else it waits for a new one. Control thread only.
+  /// The motion to follow from its start on, the one before goes on until then; ServoState::refused tells why
+  /// one is not followed. One that is handed over while a stop is latched is never followed. After a hold the
+  /// motion in force goes on if the robot has hardly left it; else it waits for a new one. Control thread
+  /// only.
   void setTrajectory(const robot::Trajectory& trajectory) noexcept;
   /// When the last frame came and the target was last tracked, and whether the robot is to follow. Each call
   /// is a sign of life: while following it must not fail to come. Control thread only.

@@ -98,6 +98,8 @@ CollisionWorld::CollisionWorld(const ArmDescription& arm, std::span<const Capsul
                                std::span<const Obstacle> obstacles)
     : body_(std::make_unique<Body>(arm, attached, obstacles)) {}
 CollisionWorld::~CollisionWorld() = default;
+CollisionWorld::CollisionWorld(CollisionWorld&&) noexcept = default;
+CollisionWorld& CollisionWorld::operator=(CollisionWorld&&) noexcept = default;
 
 std::optional<Contact> CollisionWorld::contact(const Joints& q) const {
   body_->place(q);

@@ -19,6 +19,8 @@ class CollisionWorld {
   CollisionWorld(const ArmDescription& arm, std::span<const Capsule> attached,
                  std::span<const Obstacle> obstacles);
   ~CollisionWorld();
+  CollisionWorld(CollisionWorld&&) noexcept;
+  CollisionWorld& operator=(CollisionWorld&&) noexcept;
 
   [[nodiscard]] bool collides(const Joints& q) const { return contact(q).has_value(); }
   /// What meets what there; of several the first found.

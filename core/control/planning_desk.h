@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/common/latest_value.h"
+#include "core/robot/planner.h"
+
+namespace mirrorarm::control {
+
+/// A way around something is asked for.
+struct PlanQuestion {
+  std::uint64_t number = 0;  ///< counts the questions
+  robot::Joints from{};
+  robot::Joints to{};
+};
+
+/// The way, or why there is none. Fixed size: it goes through a mailbox.
+struct PlanAnswer {
+  static constexpr std::size_t kMaxWaypoints = 32;
+
+  std::uint64_t number = 0;  ///< of the question
+  std::array<robot::Joints, kMaxWaypoints> waypoints{};
+  std::size_t waypoint_count = 0;
+  std::optional<robot::PlanRefusal> refusal{};
+
+  [[nodiscard]] std::span<const robot::Joints> path() const { return {waypoints.data(), waypoint_count}; }
+};
+
+/// Where the control thread lays questions and the planning thread answers them. Neither waits for the other;
+/// the newest question replaces one that was not taken yet.
+class PlanningDesk {
+ public:
+  explicit PlanningDesk(robot::Planner planner) : planner_(std::move(planner)) {}
+
+  /// Control thread.
+  void ask(const PlanQuestion& question) noexcept { questions_.put(question); }
+  /// Control thread. Nullptr while nothing new has come; good until the next call.
+  [[nodiscard]] const PlanAnswer* takeAnswer() noexcept { return answers_.take(); }
+
+  /// Planning thread: answers the newest question, if there is one. Takes as long as planning does.
+  void answer();
+
+ private:
+  robot::Planner planner_;  // planning thread only
+  LatestValue<PlanQuestion> questions_;
+  LatestValue<PlanAnswer> answers_;
+};
+
+}  // namespace mirrorarm::control
