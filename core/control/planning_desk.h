@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/common/latest_value.h"
+#include "core/common/signal.h"
 #include "core/robot/planner.h"
 
 namespace mirrorarm::control {
@@ -36,15 +37,23 @@ class PlanningDesk {
   explicit PlanningDesk(robot::Planner planner) : planner_(std::move(planner)) {}
 
   /// Control thread.
-  void ask(const PlanQuestion& question) noexcept { questions_.put(question); }
+  void ask(const PlanQuestion& question) {
+    questions_.put(question);
+    asked_.notify();
+  }
   /// Control thread. Nullptr while nothing new has come; good until the next call.
   [[nodiscard]] const PlanAnswer* takeAnswer() noexcept { return answers_.take(); }
 
   /// Planning thread: answers the newest question, if there is one. Takes as long as planning does.
   void answer();
+  /// The same, once there is one; waits so long for it at most.
+  void awaitAndAnswer(Seconds longest) {
+    if (asked_.waitFor(longest)) answer();
+  }
 
  private:
   robot::Planner planner_;  // planning thread only
+  Signal asked_;
   LatestValue<PlanQuestion> questions_;
   LatestValue<PlanAnswer> answers_;
 };

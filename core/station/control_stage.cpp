@@ -1,5 +1,7 @@
 #include "core/station/control_stage.h"
 
+#include <utility>
+
 #include "core/common/log.h"
 
 namespace mirrorarm::station {
@@ -10,19 +12,22 @@ using tracking::TrackStatus;
 
 ControlStage::ControlStage(const Equipment& equipment, const StationSettings& settings,
                            const robot::MotionLimits& limits, control::ServoLoop& servo,
-                           TrackingStage& tracking, RecorderStage& recorder)
+                           control::PlanningDesk& desk, TrackingStage& tracking, RecorderStage& recorder)
     : X_FC_(equipment.X_FC),
       X_FE_(equipment.X_FE),
       clock_offset_(toClock(equipment.clock_offset)),
       calibration_holds_(equipment.calibration_holds),
       midplane_normal_B_(settings.midplane_normal_B),
       fresh_for_(settings.supervisor.hold_after),
-      follow_period_(settings.follower.period),
+      handover_(settings.follower.handover),
       servo_(servo),
+      desk_(desk),
       tracking_(tracking),
       recorder_(recorder),
       follower_(equipment.arm, equipment.X_FE, limits,
-                robot::Planner(equipment.arm, equipment.attached, {}, settings.planner), settings.follower),
+                robot::CollisionWorld(equipment.arm, equipment.attached, equipment.obstacles),
+                settings.follower),
+      gaze_(equipment.rig, equipment.X_FE.inverse() * equipment.X_FC),
       digest_(equipment.arm, equipment.robot->period()) {}
 
 void ControlStage::report(const FrameReport& report) noexcept {
@@ -41,7 +46,12 @@ void ControlStage::step(TimePoint now) {
 }
 
 void ControlStage::drainServo() {
-  while (const auto cycle = servo_.takeState()) digest_.add(*cycle);
+  while (const auto cycle = servo_.takeState()) {
+    digest_.add(*cycle);
+    if (cycle->sent.q_rad.size() > 0)
+      arm_delay_.add(cycle->sent.q_rad, cycle->sent.v_rad_s, cycle->measured.q_rad);
+  }
+  state_.arm_delay_s = arm_delay_.value().count();
   if (const auto* newest = digest_.newest()) state_.servo = *newest;
 }
 
@@ -76,18 +86,25 @@ void ControlStage::takeReport(const FrameReport& report) {
     return;
   }
   state_.X_BF = *X_BF;
-  if (report.target.status != TrackStatus::kLost) {
-    state_.X_BT = *X_BF * X_FC_ * report.target.X_CT;
-    X_BE_at_target_ = *X_BF * X_FE_;
-    if (report.target.status == TrackStatus::kTracked) seen_.last_target = exposed_at;
-    if (state_.has_goal) state_.X_BE_goal = goalOf(alignment_, mapping_, state_.X_BT);
-  }
+  if (report.target.status != TrackStatus::kLost) noteTarget(report, exposed_at, *X_BF);
   const bool belongs = session_start_ && exposed_at >= *session_start_ && report.has_target;
   if (belongs && state_.phase != Phase::kFinished) sample(report, exposed_at, *X_BF);
 }
 
+void ControlStage::noteTarget(const FrameReport& report, TimePoint exposed_at, const RigidTransform& X_BF) {
+  state_.X_BT = X_BF * X_FC_ * report.target.X_CT;
+  X_BE_at_target_ = X_BF * X_FE_;
+  target_radius_m_ = report.target_radius_m;
+  if (state_.has_goal) state_.X_BE_goal = goalOf(alignment_, mapping_, state_.X_BT);
+  if (report.target.status != TrackStatus::kTracked) return;
+  seen_.last_target = exposed_at;
+  target_motion_.add(exposed_at, {state_.X_BT, report.target.covariance});
+  target_moved_on_ = true;
+}
+
 void ControlStage::endTeaching(const FrameReport& report) {
   teachings_ = report.teachings;
+  target_motion_.forget();
   if (state_.phase != Phase::kTeaching) return;
   state_.phase = report.teaching_error ? Phase::kPrepare : Phase::kTaught;
   answer(report.teaching_error ? Answer::kTooFewMarkers : Answer::kAccepted);
@@ -181,7 +198,6 @@ Answer ControlStage::start() {
   }
   recordEvent("started");
   follower_.reset();
-  next_follow_ = now_;
   return Answer::kAccepted;
 }
 
@@ -199,14 +215,37 @@ void ControlStage::answer(Answer given) {
 }
 
 void ControlStage::follow() {
-  if (state_.phase != Phase::kTraining || stopLatched() || !state_.target_fresh || now_ < next_follow_)
-    return;
-  next_follow_ = now_ + toClock(follow_period_);
-  const auto step = follower_.step(state_.X_BE_goal, state_.servo.commanded, state_.servo.time);
+  const bool moved_on = std::exchange(target_moved_on_, false);
+  const control::PlanAnswer* const answer = desk_.takeAnswer();
+  if (state_.phase != Phase::kTraining || stopLatched() || !state_.target_fresh) return;
+  const auto& servo = state_.servo;
+  if (answer) obey(follower_.take(*answer, servo.commanded, servo.time));
+  if (!moved_on || !target_motion_.isKnown()) return;
+  const auto kept =
+      gaze_.keep(goalAt(servo.time + toClock(handover_ + arm_delay_.value())),
+                 follower_.X_BE(servo.commanded.q_rad), {state_.X_BT.translation(), target_radius_m_});
+  state_.gaze_kept = kept.shortened;
+  obey(follower_.step(kept.goal, servo.commanded, servo.time));
+}
+
+void ControlStage::obey(const control::FollowStep& step) {
   state_.follow = step.outcome;
+  state_.contact = step.contact;
+  if (step.question) desk_.ask(*step.question);
   if (!step.isNew()) return;
   state_.trajectory = step.trajectory;
   servo_.setTrajectory(step.trajectory);
+}
+
+/// Where the target will be, so that the arm, which trails its commands, meets it.
+control::ToolGoal ControlStage::goalAt(TimePoint time) const {
+  control::ToolGoal goal;
+  const auto at = [&](TimePoint moment) {
+    return goalOf(alignment_, mapping_, target_motion_.at(moment).X_CT);
+  };
+  goal.X_BE = at(time);
+  goal.X_BE_soon = at(time + toClock(goal.soon));
+  return goal;
 }
 
 void ControlStage::tellServo() {

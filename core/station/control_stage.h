@@ -4,7 +4,9 @@
 
 #include "core/common/bounded_queue.h"
 #include "core/common/latest_value.h"
+#include "core/control/arm_delay.h"
 #include "core/control/follower.h"
+#include "core/control/gaze.h"
 #include "core/control/servo_loop.h"
 #include "core/station/equipment.h"
 #include "core/station/frame_report.h"
@@ -14,6 +16,7 @@
 #include "core/station/station_settings.h"
 #include "core/station/tracking_stage.h"
 #include "core/therapy/movement_mapping.h"
+#include "core/tracking/motion_predictor.h"
 
 namespace mirrorarm::station {
 
@@ -22,7 +25,8 @@ namespace mirrorarm::station {
 class ControlStage {
  public:
   ControlStage(const Equipment& equipment, const StationSettings& settings, const robot::MotionLimits& limits,
-               control::ServoLoop& servo, TrackingStage& tracking, RecorderStage& recorder);
+               control::ServoLoop& servo, control::PlanningDesk& desk, TrackingStage& tracking,
+               RecorderStage& recorder);
 
   /// Any thread.
   [[nodiscard]] Answer request(const Command& command) noexcept {
@@ -31,7 +35,7 @@ class ControlStage {
   /// Tracking thread.
   void report(const FrameReport& report) noexcept;
 
-  /// A few times a camera frame; new trajectories start at the follower's own, slower beat.
+  /// At every frame report, so that the robot learns of it at once, and a few times in between.
   void step(TimePoint now);
 
   LatestValue<ControlState> for_screen;  ///< taken by the screen's thread only
@@ -49,7 +53,10 @@ class ControlStage {
   [[nodiscard]] Answer start();
   void pause();
   void answer(Answer given);
+  void noteTarget(const FrameReport& report, TimePoint exposed_at, const RigidTransform& X_BF);
   void follow();
+  void obey(const control::FollowStep& step);
+  [[nodiscard]] control::ToolGoal goalAt(TimePoint time) const;
   void tellServo();
   void publish();
   [[nodiscard]] bool stopLatched() const;
@@ -62,11 +69,13 @@ class ControlStage {
   const bool calibration_holds_;
   const Eigen::Vector3d midplane_normal_B_;
   const Seconds fresh_for_;
-  const Seconds follow_period_;
+  const Seconds handover_;
   control::ServoLoop& servo_;
+  control::PlanningDesk& desk_;
   TrackingStage& tracking_;
   RecorderStage& recorder_;
   control::Follower follower_;
+  control::Gaze gaze_;
   ServoDigest digest_;
   BoundedQueue<Command, 16> commands_;
   BoundedQueue<FrameReport, 64> reports_;
@@ -79,9 +88,12 @@ class ControlStage {
   therapy::Mapping mapping_ = therapy::Mapping::kFollow;
   tracking::TrackedTarget target_;
   control::ServoLoop::Tracking seen_;
+  tracking::MotionPredictor target_motion_;  ///< of the target in base, tracked poses only
+  control::ArmDelay arm_delay_;
+  bool target_moved_on_ = false;  ///< a tracked pose came since the last step
+  double target_radius_m_ = 0.0;
   std::optional<RigidTransform> X_BE_at_target_;  ///< end effector when the target was last seen
   std::optional<TimePoint> session_start_;
-  TimePoint next_follow_{};
   control::StopReason noted_stop_ = control::StopReason::kNone;
   int teachings_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "core/camera/frame_source.h"
 #include "core/camera/stereo_rig.h"
 #include "core/robot/arm_description.h"
+#include "core/robot/obstacle.h"
 #include "core/robot/robot_link.h"
 
 namespace mirrorarm::station {
@@ -16,6 +17,7 @@ struct Equipment {
   camera::StereoRig rig;
   robot::ArmDescription arm;
   std::vector<robot::Capsule> attached;              ///< camera bar and sling, fixed to the flange
+  std::vector<robot::Obstacle> obstacles;            ///< what the arm must not touch, in base B
   RigidTransform X_FC = RigidTransform::Identity();  ///< camera on the flange (hand-eye)
   RigidTransform X_FE = RigidTransform::Identity();  ///< sling on the flange
   Seconds clock_offset{0.0};  ///< add it to a frame's time to have the robot's time of the same moment

@@ -14,6 +14,7 @@ struct FrameReport {
   std::uint64_t sequence = 0;
   bool has_target = false;         ///< a model is taught
   tracking::TrackedTarget target;  ///< lost while there is no model
+  double target_radius_m = 0.0;    ///< of its farthest marker from its origin; 0 while there is no model
   int taught_markers = 0;          ///< while teaching: markers so far
   double taught_sigma_m = 0.0;     ///< while teaching: of the least sure one; infinite while not known
   int teachings = 0;               ///< lessons that ended since the start, well or badly

@@ -32,11 +32,13 @@ struct LockstepStation::Body {
       under_way.push_back({now + toClock(kProcessing), stages.tracking.process(*frame)});
       stages.tracking.settle();
     }
-    while (!under_way.empty() && under_way.front().arrives <= now) {
+    const bool reported = !under_way.empty() && under_way.front().arrives <= now;
+    if (reported) {
       stages.control.report(under_way.front().report);
       under_way.pop_front();
     }
-    if (control_beat.isDue(now)) stages.control.step(now);
+    if (control_beat.isDue(now) || reported) stages.control.step(now);
+    stages.desk.answer();
     if (recorder_beat.isDue(now)) stages.recorder.step();
   }
 

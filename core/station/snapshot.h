@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,6 +41,10 @@ struct ControlState {
   therapy::Phase phase = therapy::Phase::kPrepare;
   control::ServoState servo;
   control::FollowOutcome follow = control::FollowOutcome::kHeld;
+  std::optional<robot::Contact>
+      contact;               ///< what stands in the way, where following is blocked and it is known
+  bool gaze_kept = false;    ///< the goal would have lost the target: the arm stays behind it
+  double arm_delay_s = 0.0;  ///< by which the arm trails its commands, as measured; 0 before it moved
   RigidTransform X_BF = RigidTransform::Identity();       ///< flange, measured
   RigidTransform X_BT = RigidTransform::Identity();       ///< target in base, good while `target_fresh`
   RigidTransform X_BE_goal = RigidTransform::Identity();  ///< good while `has_goal`

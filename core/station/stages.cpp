@@ -16,9 +16,10 @@ robot::MotionLimits limitsFor(const StationSettings& settings, const robot::ArmD
 Stages::Stages(const Equipment& equipment, const StationSettings& settings)
     : limits(limitsFor(settings, equipment.arm)),
       servo(equipment.arm, limits, *equipment.robot, settings.supervisor),
+      desk(robot::Planner(equipment.arm, equipment.attached, equipment.obstacles, settings.planner)),
       tracking(equipment.rig, settings),
       recorder(settings, limits, equipment.simulated),
-      control(equipment, settings, limits, servo, tracking, recorder) {}
+      control(equipment, settings, limits, servo, desk, tracking, recorder) {}
 
 const Snapshot& Stages::snapshot() {
   if (const auto* frame = tracking.for_screen.take()) snapshot_.frame = *frame;

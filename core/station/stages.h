@@ -21,6 +21,7 @@ class Stages {
 
   const robot::MotionLimits limits;
   control::ServoLoop servo;
+  control::PlanningDesk desk;
   TrackingStage tracking;
   RecorderStage recorder;
   ControlStage control;

@@ -29,6 +29,7 @@ struct Station::Body {
         stages(equipment, settings),
         recorder([this](const std::stop_token& stop) { record(stop); }),
         servo([this](const std::stop_token& stop) { serve(stop); }),
+        planning([this](const std::stop_token& stop) { plan(stop); }),
         control([this](const std::stop_token& stop) { decide(stop); }),
         tracking([this](const std::stop_token& stop) { track(stop); }),
         acquisition([this](const std::stop_token& stop) { acquire(stop); }) {}
@@ -52,13 +53,22 @@ struct Station::Body {
       if (const auto* frame = frames.take())
         guarded([&] {
           stages.control.report(stages.tracking.process(*frame));
+          report_came.notify();
           stages.tracking.settle();
         });
     }
   }
 
   void decide(const std::stop_token& stop) {
-    atEvenBeat(stop, kControlPeriod, [this](TimePoint now) { guarded([&] { stages.control.step(now); }); });
+    while (!stop.stop_requested()) {
+      report_came.waitFor(kControlPeriod);
+      guarded([&] { stages.control.step(Clock::now()); });
+    }
+  }
+
+  void plan(const std::stop_token& stop) {
+    while (!stop.stop_requested())
+      guarded([this] { stages.desk.awaitAndAnswer(kPatience); });
   }
 
   void serve(const std::stop_token& stop) {
@@ -93,10 +103,12 @@ struct Station::Body {
   Stages stages;
   LatestValue<camera::StereoFrame> frames;
   Signal frame_came;
+  Signal report_came;
   // Last members, joined from the last to the first: the cameras end before the robot, the record at the very
   // end.
   std::jthread recorder;
   std::jthread servo;
+  std::jthread planning;
   std::jthread control;
   std::jthread tracking;
   std::jthread acquisition;

@@ -1,5 +1,7 @@
 #include "core/station/tracking_stage.h"
 
+#include <algorithm>
+
 #include "core/common/log.h"
 
 namespace mirrorarm::station {
@@ -8,6 +10,12 @@ namespace {
 constexpr std::string_view kTargetName = "forearm";
 /// Around a tracked marker's predicted place: more than an arm moves between two frames.
 constexpr double kLookAheadRadius_m = 0.04;
+
+double radiusOf(const tracking::Target& target) {
+  double radius_m = 0.0;
+  for (const auto& marker_T : target.markers_T) radius_m = std::max(radius_m, marker_T.norm());
+  return radius_m;
+}
 
 double millisecondsSince(TimePoint start) { return 1e3 * secondsBetween(start, Clock::now()); }
 
@@ -120,6 +128,7 @@ FrameReport TrackingStage::report() const {
   report.exposed_at = seen_->frame.exposed_at;
   report.sequence = seen_->frame.sequence;
   report.has_target = target_ != nullptr;
+  if (target_) report.target_radius_m = radiusOf(*target_);
   if (!seen_->targets.empty()) report.target = seen_->targets.front();
   report.taught_markers = lesson_ ? lesson_->markers() : 0;
   report.taught_sigma_m = lesson_ ? lesson_->sigma_m() : 0.0;

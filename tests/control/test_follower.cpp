@@ -21,7 +21,21 @@ MotionState restAt(const Joints& q) { return {q, Joints::Zero(7), Joints::Zero(7
 struct Bench {
   explicit Bench(std::span<const robot::Obstacle> obstacles = {}, std::string_view profile = "therapy")
       : limits(*robot::limitsOf(profile, arm)),
-        follower(arm, X_FE, limits, robot::Planner(arm, {}, obstacles, {}), {}) {}
+        desk(robot::Planner(arm, {}, obstacles, {})),
+        follower(arm, X_FE, limits, robot::CollisionWorld(arm, {}, obstacles), {}) {}
+
+  /// A step with a goal that does not move; a question is answered at once.
+  FollowStep step(const RigidTransform& X_BE, const MotionState& commanded, TimePoint now) {
+    return step(ToolGoal::resting(X_BE), commanded, now);
+  }
+  FollowStep step(const ToolGoal& goal, const MotionState& commanded, TimePoint now) {
+    const FollowStep first = follower.step(goal, commanded, now);
+    if (!first.question) return first;
+    EXPECT_EQ(first.outcome, FollowOutcome::kPlanning);
+    desk.ask(*first.question);
+    desk.answer();
+    return follower.take(*desk.takeAnswer(), commanded, now);
+  }
 
   [[nodiscard]] RigidTransform slingAt(const Joints& q) const { return kinematics.flange(q) * X_FE; }
 
@@ -29,6 +43,7 @@ struct Bench {
   RigidTransform X_FE = makeTransform(Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.135});
   robot::MotionLimits limits;
   robot::Kinematics kinematics{arm};
+  PlanningDesk desk;
   Follower follower;
 };
 
@@ -39,7 +54,7 @@ TEST(Follower, BringsTheSlingToTheGoal) {
   const Joints start = robot::testing::working();
   RigidTransform X_BE = bench.slingAt(start);
   X_BE.translation() += Eigen::Vector3d(0.02, 0.05, -0.03);
-  const FollowStep step = bench.follower.step(X_BE, restAt(start), after(0));
+  const FollowStep step = bench.step(X_BE, restAt(start), after(0));
   ASSERT_EQ(step.outcome, FollowOutcome::kDirect);
   const RigidTransform X_reached = bench.slingAt(step.trajectory.goal());
   EXPECT_LT((X_reached.translation() - X_BE.translation()).norm(), 2e-4);
@@ -50,7 +65,7 @@ TEST(Follower, MotionKeepsTheToolLimits) {
   Bench bench({}, "head");
   const Joints start = robot::testing::working();
   const Joints turned = start + 0.8 * Joints::Unit(7, 0);
-  const FollowStep step = bench.follower.step(bench.slingAt(turned), restAt(start), after(0));
+  const FollowStep step = bench.step(bench.slingAt(turned), restAt(start), after(0));
   ASSERT_TRUE(step.isNew()) << id(step.outcome);
   double fastest = 0.0;
   for (double t = 0.0; t < step.trajectory.duration().count(); t += 0.005) {
@@ -61,20 +76,42 @@ TEST(Follower, MotionKeepsTheToolLimits) {
   EXPECT_GT(fastest, 0.9 * bench.limits.max_tool_speed_m_s);
 }
 
-TEST(Follower, DeadBandHoldsUntilResetOrUntilTheMotionIsLeft) {
+TEST(Follower, NewMotionsBeginWhereTheOldOnesWillBe) {
   Bench bench;
   const Joints start = robot::testing::working();
   RigidTransform X_BE = bench.slingAt(start);
   X_BE.translation().y() += 0.05;
-  const FollowStep first = bench.follower.step(X_BE, restAt(start), after(0));
+  const FollowStep first = bench.step(X_BE, restAt(start), after(0));
   ASSERT_TRUE(first.isNew());
-  X_BE.translation().y() += 0.0003;
+  EXPECT_GT(first.trajectory.start(), after(0));
   const auto moving = [&](double t) { return first.trajectory.at(after(t)); };
-  EXPECT_EQ(bench.follower.step(X_BE, moving(0.04), after(0.04)).outcome, FollowOutcome::kHeld);
-  EXPECT_EQ(bench.follower.step(X_BE, restAt(start), after(2.0)).outcome, FollowOutcome::kDirect)
+  X_BE.translation().y() += 0.02;
+  const FollowStep second = bench.step(X_BE, moving(0.1), after(0.1));
+  ASSERT_TRUE(second.isNew());
+  const TimePoint begin = second.trajectory.start();
+  EXPECT_LT((second.trajectory.at(begin).q_rad - first.trajectory.at(begin).q_rad).norm(), 1e-12);
+  EXPECT_LT((second.trajectory.at(begin).a_rad_s2 - first.trajectory.at(begin).a_rad_s2).norm(), 1e-9);
+  EXPECT_EQ(bench.step(X_BE, restAt(start), after(2.0)).outcome, FollowOutcome::kDirect)
       << "a robot that did not follow is led again";
-  bench.follower.reset();
-  EXPECT_EQ(bench.follower.step(X_BE, restAt(start), after(2.0)).outcome, FollowOutcome::kDirect);
+}
+
+TEST(Follower, MeetsAMovingGoal) {
+  Bench bench;
+  const Joints start = robot::testing::working();
+  const RigidTransform X_start = bench.slingAt(start);
+  const auto goalAt = [&](double t) {
+    RigidTransform X_BE = X_start;
+    X_BE.translation().y() += 0.06 * t;
+    return X_BE;
+  };
+  robot::Trajectory trajectory = robot::Trajectory::rest(start, after(0));
+  for (double t = 0.0; t < 1.5; t += kStep_s) {
+    const FollowStep step = bench.step({goalAt(t), goalAt(t + 0.02)}, trajectory.at(after(t)), after(t));
+    ASSERT_EQ(step.outcome, FollowOutcome::kDirect);
+    trajectory = step.trajectory;
+  }
+  const Joints q = trajectory.at(after(1.5)).q_rad;
+  EXPECT_LT((bench.slingAt(q).translation() - goalAt(1.5).translation()).norm(), 1e-3) << "it does not trail";
 }
 
 TEST(Follower, RejectsWhatIsOutOfReachOrTooFar) {
@@ -82,10 +119,9 @@ TEST(Follower, RejectsWhatIsOutOfReachOrTooFar) {
   const Joints start = robot::testing::working();
   RigidTransform X_BE = bench.slingAt(start);
   X_BE.translation().x() += 2.0;
-  EXPECT_EQ(bench.follower.step(X_BE, restAt(start), after(0)).outcome, FollowOutcome::kOutOfReach);
+  EXPECT_EQ(bench.step(X_BE, restAt(start), after(0)).outcome, FollowOutcome::kOutOfReach);
   const Joints turned = start + 1.6 * Joints::Unit(7, 0);
-  EXPECT_EQ(bench.follower.step(bench.slingAt(turned), restAt(start), after(0)).outcome,
-            FollowOutcome::kJointRange);
+  EXPECT_EQ(bench.step(bench.slingAt(turned), restAt(start), after(0)).outcome, FollowOutcome::kJointRange);
 }
 
 TEST(Follower, PlansAroundAWallAndTheMotionStaysClear) {
@@ -96,7 +132,7 @@ TEST(Follower, PlansAroundAWallAndTheMotionStaysClear) {
   const std::vector<robot::Obstacle> wall = {
       {makeTransform(Eigen::Quaterniond::Identity(), flange), {0.1, 0.01, 0.1}}};
   Bench bench(wall);
-  const FollowStep step = bench.follower.step(bench.slingAt(to), restAt(from), after(0));
+  const FollowStep step = bench.step(bench.slingAt(to), restAt(from), after(0));
   ASSERT_EQ(step.outcome, FollowOutcome::kPlanned) << id(step.outcome);
   const robot::Planner judge(bench.arm, {}, wall, {});
   for (double t = 0.0; t < step.trajectory.duration().count(); t += 0.01)
@@ -110,7 +146,7 @@ TEST(Follower, GoalInsideAWallIsBlocked) {
       {makeTransform(Eigen::Quaterniond::Identity(), Bench().kinematics.flange(to).translation()),
        {0.1, 0.1, 0.1}}};
   Bench bench(wall);
-  const FollowStep step = bench.follower.step(bench.slingAt(to), restAt(robot::testing::working()), after(0));
+  const FollowStep step = bench.step(bench.slingAt(to), restAt(robot::testing::working()), after(0));
   EXPECT_EQ(step.outcome, FollowOutcome::kBlocked);
 }
 
@@ -125,7 +161,7 @@ TEST(Follower, ClosedMovementBringsTheJointsBack) {
     RigidTransform X_BE = X_start * Eigen::AngleAxisd(0.3 * std::sin(a), Eigen::Vector3d::UnitX());
     X_BE.pretranslate(
         Eigen::Vector3d(0.05 * std::sin(a), 0.12 * (1.0 - std::cos(a)), 0.06 * std::sin(2.0 * a)));
-    const FollowStep step = bench.follower.step(X_BE, trajectory.at(after(t)), after(t));
+    const FollowStep step = bench.step(X_BE, trajectory.at(after(t)), after(t));
     if (step.isNew()) trajectory = step.trajectory;
   }
   EXPECT_LT((trajectory.goal() - start).cwiseAbs().maxCoeff(), 0.04);
@@ -141,11 +177,12 @@ TEST(Follower, FollowsASwingingGoalSmoothlyAndArrives) {
     RigidTransform X_BE = X_start;
     X_BE.translation().y() += 0.06 * (1.0 - std::cos(0.25 * 2.0 * M_PI * std::min(t, 10.0)));
     const MotionState commanded = trajectory.at(after(t));
-    const FollowStep step = bench.follower.step(X_BE, commanded, after(t));
+    const FollowStep step = bench.step(X_BE, commanded, after(t));
     ASSERT_TRUE(step.isNew() || step.outcome == FollowOutcome::kHeld) << id(step.outcome) << " at " << t;
     if (step.isNew()) {
-      const MotionState first = step.trajectory.at(after(t));
-      largest_jerk = std::max(largest_jerk, (first.a_rad_s2 - commanded.a_rad_s2).norm());
+      const TimePoint begin = step.trajectory.start();
+      const Joints before = trajectory.at(begin).a_rad_s2;
+      largest_jerk = std::max(largest_jerk, (step.trajectory.at(begin).a_rad_s2 - before).norm());
       trajectory = step.trajectory;
     }
     last_lag =
@@ -154,7 +191,7 @@ TEST(Follower, FollowsASwingingGoalSmoothlyAndArrives) {
   }
   EXPECT_LT(largest_jerk, 1e-9);
   EXPECT_LT(largest_lag, 0.05);
-  EXPECT_LT(last_lag, 0.0007);
+  EXPECT_LT(last_lag, 2e-4);
 }
 
 }  // namespace mirrorarm::control
