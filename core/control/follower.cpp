@@ -74,7 +74,8 @@ struct Follower::Body {
   [[nodiscard]] std::optional<MovingGoal> jointGoal(const ToolGoal& goal, const Joints& near) const {
     const auto q = kinematics.inverse(goal.X_BE * X_EF, near);
     if (!q) return std::nullopt;
-    const auto soon = kinematics.inverse(goal.X_BE_soon * X_EF, *q);
+    // From the same seed, so that what the choice of a posture adds by itself is no speed.
+    const auto soon = kinematics.inverse(goal.X_BE_soon * X_EF, near);
     return MovingGoal{*q, soon ? Joints((*soon - *q) / goal.soon.count()) : Joints::Zero(q->size())};
   }
 
