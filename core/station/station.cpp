@@ -67,8 +67,7 @@ struct Station::Body {
   }
 
   void plan(const std::stop_token& stop) {
-    while (!stop.stop_requested())
-      guarded([this] { stages.desk.awaitAndAnswer(kPatience); });
+    while (!stop.stop_requested()) guarded([this] { stages.desk.awaitAndAnswer(kPatience); });
   }
 
   void serve(const std::stop_token& stop) {
