@@ -42,7 +42,7 @@ struct Order {
 
 struct ServoLoop::Body {
   Body(const robot::ArmDescription& arm, const robot::MotionLimits& profile, robot::RobotLink& robot_link,
-       const SupervisorSettings& watched, const AssistSettings& helped)
+       const SupervisorSettings& watched, const AssistSettings& helped, robot::Clearance kept)
       : limits(profile),
         braking(brakingLimits(profile)),
         link(robot_link),
@@ -50,6 +50,7 @@ struct ServoLoop::Body {
         period(robot_link.period()),
         enabling(watched.enabling_silent_after),
         kinematics(arm),
+        clearance(std::move(kept)),
         beat(robot_link.period()),
         soft_start(watched.soft_start),
         assist(helped, robot_link.givesWay(), robot_link.period()) {
@@ -127,7 +128,8 @@ struct ServoLoop::Body {
     if (!driven && !takeOver()) return watchOnly();
     const MotionState* const goal = wished();
     const robot::Jacobian J = kinematics.jacobian(last.q_rad);
-    const robot::Surroundings around{.jacobian = J, .following_error_rad = vitals.following_error_rad};
+    const auto rows = clearance.rows(last.q_rad, restOf(last, period.count()));
+    const robot::Surroundings around{J, rows, clearance.zoneSpeed(), vitals.following_error_rad};
     const robot::MotionLimits& stopping = state.permit == Permit::kStop ? braking : limits;
     const robot::Guarded guarded =
         goal ? guardMotion(*goal, last, around, period.count(), soft_start.scaled(limits))
@@ -137,6 +139,9 @@ struct ServoLoop::Body {
                           ? *goal
                           : MotionState{sent.q_rad, sent.v_rad_s, sent.a_rad_s2};
     state.guard = guarded.action;
+    const bool near = guarded.action == robot::GuardAction::kCollision;
+    state.guard_pair = near ? clearance.pair(guarded.index) : robot::ClearancePair{};
+    state.guard_joint = near ? -1 : guarded.index;
     state.sent = last = guarded.command;
     send();
   }
@@ -258,6 +263,7 @@ struct ServoLoop::Body {
 
   // Servo thread only.
   robot::Kinematics kinematics;
+  robot::Clearance clearance;
   Beat beat;
   SoftStart soft_start;
   AssistLoop assist;
@@ -276,8 +282,8 @@ struct ServoLoop::Body {
 
 ServoLoop::ServoLoop(const robot::ArmDescription& arm, const robot::MotionLimits& limits,
                      robot::RobotLink& link, const SupervisorSettings& supervisor,
-                     const AssistSettings& assist)
-    : body_(std::make_unique<Body>(arm, limits, link, supervisor, assist)) {}
+                     const AssistSettings& assist, robot::Clearance clearance)
+    : body_(std::make_unique<Body>(arm, limits, link, supervisor, assist, std::move(clearance))) {}
 ServoLoop::~ServoLoop() = default;
 
 const ServoState& ServoLoop::step(TimePoint now) noexcept {

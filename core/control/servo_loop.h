@@ -7,6 +7,7 @@
 #include "core/control/assist_loop.h"
 #include "core/control/servo_state.h"
 #include "core/control/supervisor.h"
+#include "core/robot/clearance.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/robot_link.h"
 #include "core/robot/trajectory.h"
@@ -21,8 +22,10 @@ namespace mirrorarm::control {
 /// only once it was read at rest. A motion begins softly (SoftStart) from where the robot is, or not at all.
 class ServoLoop {
  public:
+  /// `clearance` is what the arm must keep away from; nothing by itself.
   ServoLoop(const robot::ArmDescription& arm, const robot::MotionLimits& limits, robot::RobotLink& link,
-            const SupervisorSettings& supervisor, const AssistSettings& assist = {});
+            const SupervisorSettings& supervisor, const AssistSettings& assist = {},
+            robot::Clearance clearance = {});
   ~ServoLoop();
 
   /// One cycle. Servo thread only.

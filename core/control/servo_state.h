@@ -8,6 +8,7 @@
 #include "core/control/enabling_switch.h"
 #include "core/control/stop_category.h"
 #include "core/control/supervisor.h"
+#include "core/robot/clearance.h"
 #include "core/robot/motion_guard.h"
 #include "core/robot/robot_link.h"
 #include "core/robot/trajectory.h"
@@ -48,8 +49,10 @@ struct ServoState {
       time{};  ///< the beat that `commanded` stands for: even steps, even where the thread woke unevenly
   robot::RobotState measured;    ///< newest; joints empty before the first reading
   robot::MotionState commanded;  ///< what was measured while the robot is not driven from here
-  robot::Commanded sent;  ///< what went over the wire: whole cycles' speed; empty while not driven from here
+  robot::Commanded sent;  ///< what went over the wire: differences of it; empty while not driven from here
   robot::GuardAction guard = robot::GuardAction::kPassed;
+  int guard_joint = -1;             ///< whose limit acts, where it is a joint's
+  robot::ClearancePair guard_pair;  ///< what is near, where that acts
   Permit permit = Permit::kHold;
   StopReason stop = StopReason::kNone;  ///< latched reason, kNone while free
   StopCategory category = StopCategory::kNone;
