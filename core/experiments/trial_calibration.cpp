@@ -73,8 +73,8 @@ Expected<std::vector<BoardView>, std::string> takeViews(const camera::StereoRig&
 
 Expected<calibration::HandEyeSolution, std::string> calibrateHandEye(
     const robot::ArmDescription& arm, const camera::StereoRig& truth, const camera::StereoRig& rig,
-    const TrialCalibrationSettings& settings) {
-  const RigidTransform X_BM = plateOnTable(), X_FC = simulation::bench_layout::X_FC();
+    const RigidTransform& X_FC, const TrialCalibrationSettings& settings) {
+  const RigidTransform X_BM = plateOnTable();
   const auto flangeFor = [&](const RigidTransform& X_CM) { return X_BM * X_CM.inverse() * X_FC.inverse(); };
   Carrier carrier(arm, settings.seed);
   PlateStudio studio(truth, kPlate, settings.seed + 1);
@@ -121,9 +121,11 @@ Expected<TrialCalibration, std::string> calibrateInSimulation(const std::filesys
   if (!rig) return unexpected(rig.error());
   const auto arm = robot::readUrdf(resources / "robots/lbr4plus.urdf");
   if (!arm) return unexpected(describe(arm.error()));
-  auto hand_eye = calibrateHandEye(*arm, rig->true_rig, rig->stereo.rig, settings);
+  const auto hand = simulation::bench_layout::hand(resources);
+  if (!hand) return unexpected(describe(hand.error()));
+  auto hand_eye = calibrateHandEye(*arm, rig->true_rig, rig->stereo.rig, hand->X_FC, settings);
   if (!hand_eye) return unexpected(hand_eye.error());
-  return TrialCalibration{std::move(*rig), simulation::bench_layout::X_FC(), std::move(*hand_eye)};
+  return TrialCalibration{std::move(*rig), hand->X_FC, std::move(*hand_eye)};
 }
 
 }  // namespace mirrorarm::experiments

@@ -35,7 +35,7 @@ class SharedKinematics {
 /// None where a plate stands in place of the patient.
 FromFile<std::unique_ptr<ArmMotion>> makeMotion(const BenchSettings& settings, const camera::StereoRig& rig) {
   if (settings.plate) return std::unique_ptr<ArmMotion>();
-  const RigidTransform X_BC = bench_layout::startX_BF() * bench_layout::X_FC();
+  const RigidTransform X_BC = bench_layout::startX_BC();
   const RigidTransform X_BA = X_BC * bench_layout::startX_CA();
   if (settings.motion.empty()) return std::make_unique<ExerciseMotion>(X_BA, settings.legs);
   auto recorded = RecordedMotion::read(settings.motion, X_BA,
@@ -50,9 +50,9 @@ struct Bench::Body {
   const TimeSource& time;
   camera::StereoRig rig;
   robot::ArmDescription arm;
-  RigidTransform X_FC = bench_layout::X_FC();
-  RigidTransform X_FE = bench_layout::X_FE();
+  robot::Hand hand;
   std::vector<robot::Capsule> attached;
+  std::vector<robot::Obstacle> surroundings;
   std::vector<Patch> clutter_B = bench_layout::clutter();
   std::unique_ptr<ArmMotion> motion;  ///< none where a plate stands
   std::vector<Patch> plate_B;
@@ -66,6 +66,8 @@ struct Bench::Body {
   struct Parts {
     camera::StereoRig rig;
     robot::ArmDescription arm;
+    robot::Hand hand;
+    std::vector<robot::Obstacle> surroundings;
     std::unique_ptr<ArmMotion> motion;
     robot::Joints start;
   };
@@ -73,7 +75,9 @@ struct Bench::Body {
       : time(time_source),
         rig(std::move(parts.rig)),
         arm(std::move(parts.arm)),
-        attached(bench_layout::attachedShapes(arm)),
+        hand(std::move(parts.hand)),
+        attached(attachedTo(arm, hand)),
+        surroundings(std::move(parts.surroundings)),
         motion(std::move(parts.motion)),
         kinematics(std::move(forward)),
         robot(arm, parts.start, time_source, settings.seed ^ kRobotStream),
@@ -92,7 +96,7 @@ struct Bench::Body {
   [[nodiscard]] RigidTransform flangeAt(TimePoint at) const { return kinematics.flange(robot.jointsAt(at)); }
 
   void look(TimePoint at, StereoRenderer::Instant& patches_C) {
-    const RigidTransform X_CB = (flangeAt(at) * X_FC).inverse();
+    const RigidTransform X_CB = (flangeAt(at) * hand.X_FC).inverse();
     patches_C.clear();
     for (const Patch& patch_B : clutter_B) patches_C.push_back(transformed(X_CB, patch_B));
     if (target_hidden.load(std::memory_order_relaxed)) return;
@@ -109,13 +113,18 @@ FromFile<std::unique_ptr<Bench>> Bench::make(const BenchSettings& settings, cons
   const auto urdf = settings.resources / "robots/lbr4plus.urdf";
   auto arm = robot::readUrdf(urdf);
   if (!arm) return unexpected(arm.error());
+  auto hand = bench_layout::hand(settings.resources);
+  if (!hand) return unexpected(hand.error());
+  auto surroundings = bench_layout::surroundings(settings.resources);
+  if (!surroundings) return unexpected(surroundings.error());
   auto motion = makeMotion(settings, *rig);
   if (!motion) return unexpected(motion.error());
   robot::Kinematics kinematics(*arm);
   const auto start = bench_layout::startPosture(kinematics);
   if (!start)
     return unexpected(FileError{urdf, 0, "describes an arm that does not reach the bench's start pose"});
-  Body::Parts parts{std::move(*rig), std::move(*arm), std::move(*motion), *start};
+  Body::Parts parts{std::move(*rig),          std::move(*arm),    std::move(*hand),
+                    std::move(*surroundings), std::move(*motion), *start};
   auto body = std::make_unique<Body>(std::move(parts), std::move(kinematics), settings, time);
   return std::unique_ptr<Bench>(new Bench(std::move(body)));
 }
@@ -127,9 +136,10 @@ camera::FrameSource& Bench::cameras() { return body_->cameras; }
 robot::RobotLink& Bench::robot() { return body_->robot; }
 const camera::StereoRig& Bench::rig() const { return body_->rig; }
 const robot::ArmDescription& Bench::arm() const { return body_->arm; }
-const RigidTransform& Bench::X_FC() const { return body_->X_FC; }
-const RigidTransform& Bench::X_FE() const { return body_->X_FE; }
+const RigidTransform& Bench::X_FC() const { return body_->hand.X_FC; }
+const RigidTransform& Bench::X_FE() const { return body_->hand.X_FE; }
 const std::vector<robot::Capsule>& Bench::attached() const { return body_->attached; }
+const std::vector<robot::Obstacle>& Bench::surroundings() const { return body_->surroundings; }
 
 void Bench::setPatientMoving(bool moving) { body_->phase.set(body_->time.now(), moving); }
 
@@ -141,7 +151,7 @@ Bench::Truth Bench::truthAt(TimePoint time) const {
   truth.discs.resize(static_cast<std::size_t>(body_->motion->discCount()));
   body_->motion->discsAt(phase_s, truth.discs);
   truth.healthy = body_->motion->forearmAt(phase_s);
-  truth.impaired = bench_layout::impairedForearm((truth.X_BF * body_->X_FE).translation());
+  truth.impaired = bench_layout::impairedForearm((truth.X_BF * body_->hand.X_FE).translation());
   return truth;
 }
 

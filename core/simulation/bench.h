@@ -13,6 +13,7 @@
 #include "core/common/file_error.h"
 #include "core/common/time_source.h"
 #include "core/robot/arm_description.h"
+#include "core/robot/obstacle.h"
 #include "core/robot/robot_link.h"
 #include "core/simulation/arm_motion.h"
 #include "core/simulation/patch.h"
@@ -66,6 +67,8 @@ class Bench {
   [[nodiscard]] const RigidTransform& X_FE() const;  ///< sling on the flange
   /// Camera bar and sling, fixed to the flange.
   [[nodiscard]] const std::vector<robot::Capsule>& attached() const;
+  /// Table and patient's head.
+  [[nodiscard]] const std::vector<robot::Obstacle>& surroundings() const;
 
   /// The simulated patient moves the healthy arm while true; starting and stopping are smooth. Any thread.
   void setPatientMoving(bool moving);

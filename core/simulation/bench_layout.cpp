@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/robot/surroundings.h"
 #include "core/simulation/exercise_motion.h"
 
 namespace mirrorarm::simulation::bench_layout {
@@ -12,7 +13,6 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kCameraDown_rad = 15.0 * kDegree;
 constexpr double kHalfBaseline_m = 0.06;
 constexpr double kWorkingDistance_m = 0.40;
-constexpr double kSlingBelow_m = 0.135;
 
 }  // namespace
 
@@ -27,16 +27,22 @@ std::optional<robot::Joints> startPosture(const robot::Kinematics& kinematics) {
   return kinematics.inverse(startX_BF(), kDegree * seed);
 }
 
-RigidTransform X_FC() {
+RigidTransform startX_BC() {
   const double c = std::cos(kCameraDown_rad), s = std::sin(kCameraDown_rad);
   Eigen::Matrix3d R;
-  R << -1.0, 0.0, 0.0,  //
-      0.0, -s, c,       //
-      0.0, c, s;
-  return makeTransform(R, {kHalfBaseline_m, 0.08, 0.03});
+  R << 1.0, 0.0, 0.0,  //
+      0.0, -s, c,      //
+      0.0, -c, -s;
+  return makeTransform(R, startX_BF() * Eigen::Vector3d(kHalfBaseline_m, 0.08, 0.03));
 }
 
-RigidTransform X_FE() { return makeTransform(Eigen::Matrix3d::Identity(), {0.0, 0.0, kSlingBelow_m}); }
+FromFile<robot::Hand> hand(const std::filesystem::path& resources) {
+  return robot::readHand(resources / "robots/hand.yaml");
+}
+
+FromFile<std::vector<robot::Obstacle>> surroundings(const std::filesystem::path& resources) {
+  return robot::readSurroundings(resources / "robots/surroundings.yaml");
+}
 
 RigidTransform startX_CA() {
   return makeTransform(Eigen::Vector3d(-1.0, 1.0, -1.0).asDiagonal().toDenseMatrix(),
@@ -45,17 +51,8 @@ RigidTransform startX_CA() {
 
 RigidTransform plateX_BP() {
   const Eigen::Vector3d nearer_B(-0.05, 0.0, -0.04);  // more views on all sides are in reach from there
-  return Eigen::Translation3d(nearer_B) * startX_BF() * X_FC() *
+  return Eigen::Translation3d(nearer_B) * startX_BC() *
          Eigen::Translation3d(kHalfBaseline_m, 0.0, kWorkingDistance_m);
-}
-
-std::vector<robot::Capsule> attachedShapes(const robot::ArmDescription& arm) {
-  const int last = arm.jointCount();
-  const RigidTransform X_LC = arm.X_last_F * X_FC();
-  const RigidTransform& X_LF = arm.X_last_F;
-  return {{last, X_LC * Eigen::Vector3d(0.0, 0.0, -0.02),
-           X_LC * Eigen::Vector3d(2.0 * kHalfBaseline_m, 0.0, -0.02), 0.025, robot::ArmPart::kCameraBar},
-          {last, X_LF * Eigen::Vector3d(0.0, 0.0, 0.02), X_LF * Eigen::Vector3d(0.0, 0.0, 0.09), 0.02, robot::ArmPart::kSling}};
 }
 
 std::vector<Patch> clutter() {

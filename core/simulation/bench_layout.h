@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/camera/camera_model.h"
-#include "core/robot/arm_description.h"
+#include "core/common/file_error.h"
+#include "core/robot/hand.h"
 #include "core/robot/kinematics.h"
+#include "core/robot/obstacle.h"
 #include "core/simulation/patch.h"
 
 /// Where everything stands on the simulated bench. Robot base B: x from the robot's foot towards the patient,
@@ -20,10 +22,13 @@ namespace mirrorarm::simulation::bench_layout {
 /// Angles of the LBR 4+ that bring the flange there with a bent elbow, far from limits and stretched poses.
 [[nodiscard]] std::optional<robot::Joints> startPosture(const robot::Kinematics& kinematics);
 
-/// Left camera on the flange: beside it towards the healthy arm, looking along +y_B, 15 degrees down.
-[[nodiscard]] RigidTransform X_FC();
-/// Sling: 0.135 m below the flange, turned like it.
-[[nodiscard]] RigidTransform X_FE();
+/// Left camera at the start: beside the flange towards the healthy arm, looking along +y_B, 15 degrees down.
+/// The bench's hand carries it there.
+[[nodiscard]] RigidTransform startX_BC();
+/// robots/hand.yaml: camera bar and sling of the bench.
+[[nodiscard]] FromFile<robot::Hand> hand(const std::filesystem::path& resources);
+/// robots/surroundings.yaml: table and patient's head.
+[[nodiscard]] FromFile<std::vector<robot::Obstacle>> surroundings(const std::filesystem::path& resources);
 /// Healthy forearm at the start, in the left camera: 0.40 m in front of the middle between both cameras,
 /// lying across the image, elbow towards the patient (see exercise_motion.h for frame A).
 [[nodiscard]] RigidTransform startX_CA();
@@ -32,9 +37,6 @@ namespace mirrorarm::simulation::bench_layout {
 /// images, y downwards, z away from the cameras. On a stand there, the arm reaches three fifths of the views
 /// from 0.28 to 0.6 m with tilts to 40 degrees, some in every direction.
 [[nodiscard]] RigidTransform plateX_BP();
-
-/// Camera bar and sling bow as shapes of the last link.
-[[nodiscard]] std::vector<robot::Capsule> attachedShapes(const robot::ArmDescription& arm);
 
 /// What else shines: a strip of tape on a chair, two dim blotches behind the patient. In B.
 [[nodiscard]] std::vector<Patch> clutter();

@@ -81,7 +81,7 @@ Scene::Camera cameraIn(const YamlNode& node) {
   if (node.has("pose") || !camera.on_robot)
     camera.X_WC = poseIn(node["pose"]);
   else
-    camera.X_WC = bench_layout::startX_BF() * bench_layout::X_FC();
+    camera.X_WC = bench_layout::startX_BC();
   if (node.has("grid")) camera.grid = gridIn(node["grid"]);
   return camera;
 }

@@ -34,16 +34,18 @@ FromFile<std::vector<Station>> stationsOnRobot(const Scene& scene, const std::ve
                                                const std::filesystem::path& resources) {
   const auto arm = robot::readUrdf(resources / "robots/lbr4plus.urdf");
   if (!arm) return unexpected(arm.error());
+  const auto hand = bench_layout::hand(resources);
+  if (!hand) return unexpected(hand.error());
   const robot::Kinematics kinematics(*arm);
   auto q = bench_layout::startPosture(kinematics);
   std::vector<Station> stations;
   for (const RigidTransform& X_WC : poses) {
-    if (q) q = kinematics.inverse(X_WC * bench_layout::X_FC().inverse(), *q);
+    if (q) q = kinematics.inverse(X_WC * hand->X_FC.inverse(), *q);
     if (!q)
       return unexpected(
           FileError{scene.file, 0, "camera.pose or a station of its grid is out of the robot's reach"});
     const RigidTransform X_BF = kinematics.flange(*q);
-    stations.push_back({X_BF * bench_layout::X_FC(), RobotPose{*q, X_BF}});
+    stations.push_back({X_BF * hand->X_FC, RobotPose{*q, X_BF}});
   }
   return stations;
 }

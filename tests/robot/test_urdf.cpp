@@ -1,21 +1,21 @@
-#include <fstream>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "tests/common/scratch_folder.h"
 #include "tests/robot/arms.h"
+#include "tests/robot/mutations.h"
 
 namespace mirrorarm::robot {
 namespace {
 
+using testing::withInstead;
+
 constexpr double kDeg = std::numbers::pi / 180.0;
 
 std::string textOf(const std::string& name) {
-  std::ifstream file(std::string(RESOURCES) + "/robots/" + name + ".urdf");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return testing::textOf(std::string(RESOURCES) + "/robots/" + name + ".urdf");
 }
 
 FromFile<ArmDescription> readText(const std::string& xml) {
@@ -29,12 +29,6 @@ std::string chain(const std::string& joint, const std::string& more = "") {
 
 const std::string kGood = R"(<joint name="j" type="revolute"><parent link="a"/><child link="b"/>
   <axis xyz="0 0 2"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>)";
-
-std::string withInstead(std::string text, const std::string& old, const std::string& other) {
-  const auto at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), other);
-}
 
 std::string refusalOf(const std::string& xml) {
   const auto read = readText(xml);
@@ -176,19 +170,14 @@ TEST(Urdf, RefusesCollisionShapesItCannotUse) {
 }
 
 TEST(Urdf, SurvivesMutations) {
-  const std::string good = textOf("lbr4plus");
-  std::mt19937 random(5);
-  for (int round = 0; round < 700; ++round) {
-    std::string text = good.substr(0, round % 3 == 0 ? random() % good.size() : good.size());
-    for (unsigned i = 0; i < 1 + random() % 6 && !text.empty(); ++i)
-      text[random() % text.size()] = static_cast<char>(random() % 256);
+  testing::forMutationsOf(textOf("lbr4plus"), 700, [](const std::string& text) {
     const auto read = readText(text);
     if (read) {
       EXPECT_GT(read->jointCount(), 0);
     } else {
       EXPECT_EQ(read.error().reason.find('\n'), std::string::npos);
     }
-  }
+  });
 }
 
 }  // namespace mirrorarm::robot

@@ -45,6 +45,12 @@ class BenchTest : public ::testing::Test {
   BenchSettings settings_;
 };
 
+TEST(BenchLayout, TheHandHoldsTheCameraWhereTheBenchIsLaidOutFor) {
+  const auto hand = bench_layout::hand(RESOURCES);
+  ASSERT_TRUE(hand) << describe(hand.error());
+  EXPECT_TRUE((bench_layout::startX_BF() * hand->X_FC).isApprox(bench_layout::startX_BC(), 1e-12));
+}
+
 TEST_F(BenchTest, StandsWhereItIsMeantTo) {
   for (const auto lens : {camera::LensModel::kKannalaBrandt, camera::LensModel::kBrownConrady}) {
     settings_.lens = lens;

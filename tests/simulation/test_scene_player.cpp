@@ -55,10 +55,11 @@ TEST(ScenePlayer, TheCuboidShowsThePlateAtEveryStation) {
 TEST(ScenePlayer, TheRobotsFlangeAndTheHandEyeGiveTheSameTarget) {
   const Scene scene = shipped("paper_cuboid");
   auto player = play(scene);
+  const RigidTransform X_FC = bench_layout::hand(RESOURCES)->X_FC;
   for (int i = 0; i < scene.frames; i += 31) {
     const auto shot = player.shoot(i);
     ASSERT_TRUE(shot.robot);
-    const RigidTransform X_BT = shot.robot->X_BF * bench_layout::X_FC() * shot.X_CT;
+    const RigidTransform X_BT = shot.robot->X_BF * X_FC * shot.X_CT;
     EXPECT_LT((X_BT.translation() - scene.target.X_WT.translation()).norm(), 1e-9);
     EXPECT_LT(angleBetween(X_BT, scene.target.X_WT), 1e-7);
   }

@@ -20,9 +20,10 @@ class OnTheBench : public ::testing::Test {
  protected:
   robot::ArmDescription arm_ = *robot::readUrdf(kResources / "robots/lbr4plus.urdf");
   robot::Joints home_ = *layout::startPosture(robot::Kinematics(arm_));
+  robot::Hand hand_ = *layout::hand(kResources);
   RigidTransform X_BM_ = plateOf(kBoard).X_BM;
-  ViewPlanner planner_{{arm_, layout::attachedShapes(arm_), *robot::limitsOf("therapy", arm_), {}, 0.0},
-                       {kBoard, X_BM_, layout::X_FC()}};
+  ViewPlanner planner_{{arm_, attachedTo(arm_, hand_), *robot::limitsOf("therapy", arm_), {}, 0.0},
+                       {kBoard, X_BM_, hand_.X_FC}};
 };
 
 TEST_F(OnTheBench, HalfOfTheViewsAreInReachAndEveryDirectionHasSome) {
