@@ -52,7 +52,7 @@ void write(std::ostream& out, const std::vector<TimedPose>& poses) {
 }
 
 void run(const Wish& wish, Context& context) {
-  const auto address = devices::trackerAddressOf(wish.address);
+  const auto address = devices::hostAddressOf(wish.address, devices::kIgtlPort);
   if (!address) throw InputRefused(address.error());
   auto receiver = devices::PoseReceiver::connect(*address, kConnectPatience);
   if (!receiver) throw CommandFailed(receiver.error());

@@ -13,6 +13,7 @@ void addDetect(CLI::App& app, Context& context);
 void addDoctor(CLI::App& app, Context& context);
 void addExperiment(CLI::App& app, Context& context);
 void addListen(CLI::App& app, Context& context);
+void addServe(CLI::App& app, Context& context);
 void addSession(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);

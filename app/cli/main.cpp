@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   addDoctor(app, context);
   addExperiment(app, context);
   addListen(app, context);
+  addServe(app, context);
   addSession(app, context);
   addSimulate(app, context);
   addTarget(app, context);

@@ -8,6 +8,7 @@ namespace mirrorarm::benchmarks::robot {
 /// means.
 [[nodiscard]] Suite suite();
 
+void measureFri(Run& run);
 void measureMotion(Run& run);
 
 }  // namespace mirrorarm::benchmarks::robot

@@ -22,6 +22,13 @@ template <std::unsigned_integral Number>
   return std::bit_cast<float>(bigEndian<std::uint32_t>(bytes));
 }
 
+/// Into the first sizeof(Number) bytes.
+template <std::unsigned_integral Number>
+void putBigEndian(Number value, std::span<std::byte> bytes) {
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    bytes[i] = static_cast<std::byte>(value >> (8 * (sizeof(Number) - 1 - i)) & 0xFF);
+}
+
 template <std::unsigned_integral Number>
 void appendBigEndian(std::vector<std::byte>& bytes, Number value) {
   for (std::size_t i = sizeof(Number); i-- > 0;)

@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint16_t kMeasurementId = 0x2006;
 constexpr std::uint16_t kCommandId = 0x1005;
 constexpr std::size_t kIdAt = 6, kPacketSizeAt = 4;
+constexpr float kMostAngle_rad = 6.3F, kMostTorque_nm = 1000.0F;
 constexpr float kShortestPeriod_s = 0.0009F, kLongestPeriod_s = 0.101F;
 
 /// A measurement as it lies on the wire: states are plain numbers until they are checked.
@@ -122,6 +123,16 @@ bool areFinite(const Arrays&... arrays) {
   return (finite(arrays) && ...);
 }
 
+/// No arm stands or pulls beyond these: such numbers are damaged.
+bool isPossible(const FriMeasurement& m) {
+  const auto within = [](const FriJoints& values, float most) {
+    return std::all_of(values.begin(), values.end(), [most](float value) { return std::abs(value) <= most; });
+  };
+  return within(m.q_rad, kMostAngle_rad) && within(m.commanded_q_rad, kMostAngle_rad) &&
+         within(m.commanded_q_offset_rad, kMostAngle_rad) && within(m.torque_nm, kMostTorque_nm) &&
+         within(m.external_torque_nm, kMostTorque_nm);
+}
+
 bool isPeriod(float period_s) { return period_s >= kShortestPeriod_s && period_s <= kLongestPeriod_s; }
 
 bool flaggedAreFinite(const FriCommand& c) {
@@ -163,7 +174,7 @@ Expected<FriMeasurement, FriRefusal> friMeasurementOf(std::span<const std::byte>
   if (plain.state > static_cast<std::uint16_t>(FriState::kCommand) ||
       plain.quality > static_cast<std::uint16_t>(FriQuality::kPerfect) ||
       plain.control > static_cast<std::uint16_t>(FriControl::kJointImpedance) ||
-      !isPeriod(m.measurement_period_s))
+      !isPeriod(m.measurement_period_s) || !isPossible(m))
     return unexpected(FriRefusal::kOutOfRange);
   m.state = static_cast<FriState>(plain.state);
   m.quality = static_cast<FriQuality>(plain.quality);

@@ -20,7 +20,7 @@ struct FriLinkSettings {
   std::string address = "127.0.0.1";  ///< of this host on the controller's network
   std::uint16_t port = kFriPort;      ///< 0 takes a free one
   std::string controller;             ///< the only host that is answered; empty: the first that speaks FRI
-  FriSettings session;
+  FriSettings session{};
 };
 
 /// How the line to the controller is, since it was opened.

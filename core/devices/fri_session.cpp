@@ -12,7 +12,8 @@ namespace {
 using robot::Joints;
 using robot::LinkFault;
 
-constexpr int kNewSequenceAfter = 10;  // datagrams that seem old: the controller has begun anew
+constexpr int kBelieveAfter = 10;  // datagrams in a row that seem old or wrong: the controller has begun anew
+constexpr double kMeasuredMargin = 2.0;  // on the joints' speeds, for what is measured
 constexpr double kPeriodTolerance = 0.05;
 constexpr double kRest_rad = 1e-3;   // commands within this hold still
 constexpr double kJumpMargin = 1.1;  // on the joints' speeds, for uneven cycles
@@ -100,18 +101,26 @@ bool FriSession::isNews(const FriMeasurement& measurement) noexcept {
   if (!in_step_) return in_step_ = true;
   const auto step = static_cast<std::uint16_t>(measurement.sequence - newest_.sequence);
   if (step == 0) return ++counts_.duplicated, false;
-  if (step >= kHalfTheNumbers) {
-    ++counts_.reordered;
-    if (++backwards_in_a_row_ < kNewSequenceAfter) return false;
+  const bool backwards = step >= kHalfTheNumbers;
+  if (backwards || !isPossible(measurement, step)) {
+    ++(backwards ? counts_.reordered : counts_.implausible);
+    if (++disbelieved_in_a_row_ < kBelieveAfter) return false;
     fallBy(FriFall::kLostDatagrams);
-    backwards_in_a_row_ = 0;
+    disbelieved_in_a_row_ = 0;
     return true;
   }
-  backwards_in_a_row_ = 0;
+  disbelieved_in_a_row_ = 0;
   counts_.lost += step - 1u;
   elapsed_s_ = step * double{measurement.measurement_period_s};
   if (step - 1 > settings_.lost_in_a_row) fallBy(FriFall::kLostDatagrams);
   return true;
+}
+
+/// Whether the arm can have moved so far since the newest datagram.
+bool FriSession::isPossible(const FriMeasurement& measurement, int cycles) const noexcept {
+  const double elapsed_s = cycles * double{measurement.measurement_period_s};
+  const Joints moved = (jointsOf(measurement.q_rad) - jointsOf(newest_.q_rad)).cwiseAbs();
+  return (moved.array() <= kMeasuredMargin * elapsed_s * settings_.max_speed_rad_s.array() + kRest_rad).all();
 }
 
 bool FriSession::take(const FriMeasurement& measurement) noexcept {

@@ -54,7 +54,8 @@ class FriSession {
  public:
   explicit FriSession(const FriSettings& settings) : settings_(settings) {}
 
-  /// A datagram; false for one that came twice or out of order, which is only counted.
+  /// A datagram; false for one that came twice, out of order or with a jump of the arm, which is only
+  /// counted.
   bool take(const FriMeasurement& measurement) noexcept;
   /// Nothing came for settings.silent_after.
   void silence() noexcept;
@@ -78,12 +79,14 @@ class FriSession {
     std::uint64_t lost = 0;
     std::uint64_t duplicated = 0;
     std::uint64_t reordered = 0;
+    std::uint64_t implausible = 0;  ///< measured angles that the arm cannot have reached
     std::uint64_t falls = 0;
   };
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
 
  private:
   [[nodiscard]] bool isNews(const FriMeasurement& measurement) noexcept;
+  [[nodiscard]] bool isPossible(const FriMeasurement& measurement, int cycles) const noexcept;
   void watch() noexcept;
   void waitForStart() noexcept;
   void enterCommand() noexcept;
@@ -103,7 +106,7 @@ class FriSession {
   FriMeasurement newest_;
   Counts counts_;
   bool in_step_ = false;  ///< the next datagram continues a sequence
-  int backwards_in_a_row_ = 0;
+  int disbelieved_in_a_row_ = 0;
   double elapsed_s_ = 0.0;
 
   std::uint16_t sent_sequence_ = 0;

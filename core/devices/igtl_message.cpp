@@ -17,7 +17,7 @@ constexpr std::uint16_t kNewestVersion = 3;
 constexpr std::size_t kExtendedHeaderSize = 12;
 constexpr double kFraction = 4294967296.0;  // the time stamp's second half counts 2^-32 s
 
-std::array<std::uint64_t, 256> makeTable() {
+constexpr std::array<std::uint64_t, 256> makeTable() {
   constexpr std::uint64_t kPolynomial = 0x42F0E1EBA9EA3693u;
   std::array<std::uint64_t, 256> table{};
   for (std::uint64_t i = 0; i < table.size(); ++i) {
@@ -29,38 +29,12 @@ std::array<std::uint64_t, 256> makeTable() {
 }
 
 /// Text of a field that zeros fill up; nothing when it holds what is no printable ASCII.
-std::optional<std::string> textOf(Bytes field) {
-  std::string text;
-  for (const std::byte byte : field) {
-    const auto c = std::to_integer<unsigned char>(byte);
-    if (c == 0) break;
-    if (c < ' ' || c > '~') return std::nullopt;
-    text.push_back(static_cast<char>(c));
-  }
-  return text;
-}
-
-struct Header {
-  std::uint16_t version = 0;
-  IgtlMessage message;
-  std::uint64_t body_size = 0;
-  std::uint64_t checksum = 0;
-};
-
-std::optional<Header> headerOf(Bytes bytes) {
-  Header header;
-  header.version = bigEndian<std::uint16_t>(bytes);
-  const auto type = textOf(bytes.subspan(kTypeAt, kTypeSize));
-  const auto device = textOf(bytes.subspan(kDeviceAt, kDeviceSize));
-  if (header.version < 1 || header.version > kNewestVersion || !type || type->empty() || !device)
-    return std::nullopt;
-  header.message.type = *type;
-  header.message.device = *device;
-  header.message.time_s = bigEndian<std::uint32_t>(bytes.subspan(kTimeAt)) +
-                          bigEndian<std::uint32_t>(bytes.subspan(kTimeAt + 4)) / kFraction;
-  header.body_size = bigEndian<std::uint64_t>(bytes.subspan(kBodySizeAt));
-  header.checksum = bigEndian<std::uint64_t>(bytes.subspan(kChecksumAt));
-  return header;
+std::optional<std::string_view> textOf(Bytes field) {
+  const auto isPrintable = [](std::byte byte) { return byte >= std::byte{' '} && byte <= std::byte{'~'}; };
+  const auto end = std::find(field.begin(), field.end(), std::byte{0});
+  if (!std::all_of(field.begin(), end, isPrintable)) return std::nullopt;
+  return std::string_view(reinterpret_cast<const char*>(field.data()),
+                          static_cast<std::size_t>(end - field.begin()));
 }
 
 /// What lies between the extended header and the metadata; nothing when the sizes do not fit.
@@ -74,9 +48,11 @@ std::optional<Bytes> contentOf(Bytes body, std::uint16_t version) {
   return body.subspan(begin, body.size() - begin - behind);
 }
 
-void appendText(std::vector<std::byte>& bytes, const std::string& text, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i)
-    bytes.push_back(i < text.size() ? static_cast<std::byte>(text[i]) : std::byte{0});
+/// A header's text, cut where it is too long.
+void putText(std::string_view text, std::span<std::byte> field) {
+  std::fill(field.begin(), field.end(), std::byte{0});
+  for (std::size_t i = 0; i < std::min(text.size(), field.size()); ++i)
+    field[i] = static_cast<std::byte>(text[i]);
 }
 
 }  // namespace
@@ -96,47 +72,69 @@ std::string_view reason(IgtlFault fault) {
 }
 
 std::uint64_t crc64(Bytes bytes) {
-  static const auto kTable = makeTable();
+  static constexpr auto kTable = makeTable();
   std::uint64_t crc = 0;
   for (const std::byte byte : bytes)
     crc = kTable[(crc >> 56 ^ std::to_integer<std::uint64_t>(byte)) & 0xFF] ^ crc << 8;
   return crc;
 }
 
+Expected<std::optional<IgtlView>, IgtlFault> igtlView(Bytes bytes) noexcept {
+  if (bytes.size() < kIgtlHeaderSize) return std::nullopt;
+  const auto version = bigEndian<std::uint16_t>(bytes);
+  const auto type = textOf(bytes.subspan(kTypeAt, kTypeSize));
+  const auto device = textOf(bytes.subspan(kDeviceAt, kDeviceSize));
+  if (version < 1 || version > kNewestVersion || !type || type->empty() || !device)
+    return unexpected(IgtlFault::kBadHeader);
+  const auto body_size = bigEndian<std::uint64_t>(bytes.subspan(kBodySizeAt));
+  if (body_size > kMostBody) return unexpected(IgtlFault::kTooLarge);
+  const std::size_t size = kIgtlHeaderSize + static_cast<std::size_t>(body_size);
+  if (bytes.size() < size) return std::nullopt;
+  const Bytes body = bytes.subspan(kIgtlHeaderSize, size - kIgtlHeaderSize);
+  if (crc64(body) != bigEndian<std::uint64_t>(bytes.subspan(kChecksumAt)))
+    return unexpected(IgtlFault::kBadChecksum);
+  const auto content = contentOf(body, version);
+  if (!content) return unexpected(IgtlFault::kBadBody);
+  const double time_s = bigEndian<std::uint32_t>(bytes.subspan(kTimeAt)) +
+                        bigEndian<std::uint32_t>(bytes.subspan(kTimeAt + 4)) / kFraction;
+  return IgtlView{*type, *device, time_s, *content, size};
+}
+
+Bytes encodeIgtl(std::string_view type, std::string_view device, double time_s, Bytes content,
+                 std::span<std::byte> bytes) noexcept {
+  const double whole_s = std::floor(time_s);
+  putBigEndian<std::uint16_t>(1, bytes);
+  putText(type, bytes.subspan(kTypeAt, kTypeSize));
+  putText(device, bytes.subspan(kDeviceAt, kDeviceSize));
+  putBigEndian(static_cast<std::uint32_t>(whole_s), bytes.subspan(kTimeAt));
+  putBigEndian(static_cast<std::uint32_t>((time_s - whole_s) * kFraction), bytes.subspan(kTimeAt + 4));
+  putBigEndian<std::uint64_t>(content.size(), bytes.subspan(kBodySizeAt));
+  putBigEndian(crc64(content), bytes.subspan(kChecksumAt));
+  std::copy(content.begin(), content.end(), bytes.begin() + kIgtlHeaderSize);
+  return bytes.first(kIgtlHeaderSize + content.size());
+}
+
 void IgtlStream::add(Bytes bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
 
 Expected<std::optional<IgtlMessage>, IgtlFault> IgtlStream::next() {
-  const auto refuse = [this](IgtlFault fault) {
-    fault_ = fault;
-    return unexpected(fault);
-  };
   if (fault_) return unexpected(*fault_);
-  if (bytes_.size() < kIgtlHeaderSize) return std::nullopt;
-  auto header = headerOf(bytes_);
-  if (!header) return refuse(IgtlFault::kBadHeader);
-  if (header->body_size > kMostBody) return refuse(IgtlFault::kTooLarge);
-  const std::size_t size = kIgtlHeaderSize + static_cast<std::size_t>(header->body_size);
-  if (bytes_.size() < size) return std::nullopt;
-  const Bytes body = Bytes(bytes_).subspan(kIgtlHeaderSize, size - kIgtlHeaderSize);
-  if (crc64(body) != header->checksum) return refuse(IgtlFault::kBadChecksum);
-  const auto content = contentOf(body, header->version);
-  if (!content) return refuse(IgtlFault::kBadBody);
-  header->message.content.assign(content->begin(), content->end());
-  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(size));
-  return std::move(header->message);
+  const auto view = igtlView(bytes_);
+  if (!view) {
+    fault_ = view.error();
+    return unexpected(*fault_);
+  }
+  if (!*view) return std::nullopt;
+  IgtlMessage message{std::string((*view)->type),
+                      std::string((*view)->device),
+                      (*view)->time_s,
+                      {(*view)->content.begin(), (*view)->content.end()}};
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>((*view)->size));
+  return message;
 }
 
 std::vector<std::byte> igtlBytes(const IgtlMessage& message) {
-  std::vector<std::byte> bytes;
-  appendBigEndian<std::uint16_t>(bytes, 1);
-  appendText(bytes, message.type, kTypeSize);
-  appendText(bytes, message.device, kDeviceSize);
-  const double whole_s = std::floor(message.time_s);
-  appendBigEndian(bytes, static_cast<std::uint32_t>(whole_s));
-  appendBigEndian(bytes, static_cast<std::uint32_t>((message.time_s - whole_s) * kFraction));
-  appendBigEndian<std::uint64_t>(bytes, message.content.size());
-  appendBigEndian(bytes, crc64(message.content));
-  bytes.insert(bytes.end(), message.content.begin(), message.content.end());
+  std::vector<std::byte> bytes(kIgtlHeaderSize + message.content.size());
+  encodeIgtl(message.type, message.device, message.time_s, message.content, bytes);
   return bytes;
 }
 

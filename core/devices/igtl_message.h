@@ -30,8 +30,26 @@ enum class IgtlFault : std::uint8_t {
 };
 [[nodiscard]] std::string_view reason(IgtlFault fault);
 
+inline constexpr std::uint16_t kIgtlPort = 18944;  ///< where servers of the protocol listen
 inline constexpr std::size_t kIgtlHeaderSize = 58;
 inline constexpr std::size_t kMostBody = std::size_t{1} << 20;
+
+/// A message where it lies, without a copy: good as long as its bytes are.
+struct IgtlView {
+  std::string_view type;
+  std::string_view device;
+  double time_s = 0.0;
+  std::span<const std::byte> content;
+  std::size_t size = 0;  ///< of the whole message in bytes
+};
+/// The message that `bytes` begin with; nothing when more of them are needed. Does not allocate.
+[[nodiscard]] Expected<std::optional<IgtlView>, IgtlFault> igtlView(
+    std::span<const std::byte> bytes) noexcept;
+
+/// Puts a message of version 1 into `bytes`, which have room, and returns it. Does not allocate.
+std::span<const std::byte> encodeIgtl(std::string_view type, std::string_view device, double time_s,
+                                      std::span<const std::byte> content,
+                                      std::span<std::byte> bytes) noexcept;
 
 /// CRC-64 of ECMA-182, as the protocol's bodies carry it.
 [[nodiscard]] std::uint64_t crc64(std::span<const std::byte> bytes);

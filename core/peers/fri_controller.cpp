@@ -18,7 +18,7 @@ using robot::Joints;
 constexpr std::uint16_t kAllDrives = 0x7F;
 constexpr std::int32_t kInitialised = 10;  // what the program tells before any request
 constexpr double kJumpMargin = 1.2;        // single precision and the host's own rounding
-constexpr std::size_t kMostFalls = 1000;
+constexpr std::size_t kMostFalls = 1000, kMostMissed = 100'000;
 constexpr Clock::duration kDriveStep = std::chrono::milliseconds(1);
 constexpr std::uint16_t kHalfTheNumbers = 0x8000;
 
@@ -129,6 +129,8 @@ void FriController::moveArm() {
 void FriController::judgeAnswer() {
   in_time_[sent_.sequence % in_time_.size()] = answered_;
   ++(answered_ ? report_.in_time : report_.missed);
+  if (!answered_ && report_.missed_cycles.size() < kMostMissed)
+    report_.missed_cycles.push_back(report_.cycles);
   missed_in_a_row_ = answered_ ? 0 : missed_in_a_row_ + 1;
   const bool mirrors =
       largest(devices::jointsOf(answer_.q_rad) - devices::heldBy(sent_)) < settings_.mirror_tolerance_rad;

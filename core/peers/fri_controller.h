@@ -56,7 +56,8 @@ struct FriControllerReport {
     double time_s = 0.0;  ///< since its first cycle
     FriControllerFall why = FriControllerFall::kStopped;
   };
-  std::vector<Fall> falls;  ///< the first thousand
+  std::vector<Fall> falls;                   ///< the first thousand
+  std::vector<std::uint64_t> missed_cycles;  ///< counted from 1 as the sequences are; the first 100 000
 };
 
 /// The controller's side of the Fast Research Interface without its socket, with the program that runs on it

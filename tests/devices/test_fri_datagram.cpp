@@ -39,7 +39,7 @@ FriMeasurement measurement() {
   for (std::size_t i = 0; i < kFriJoints; ++i) {
     const auto x = static_cast<float>(i);
     m.q_rad[i] = 0.1F * x;
-    m.commanded_q_rad[i] = 1.0F + x;
+    m.commanded_q_rad[i] = 1.0F + 0.5F * x;
     m.commanded_q_offset_rad[i] = 0.01F * x;
     m.external_torque_nm[i] = -x;
     m.gravity_nm[i] = 10.0F * x;
@@ -139,6 +139,8 @@ TEST(FriDatagram, RefusesWithTheReason) {
   EXPECT_EQ(refusal([](Bytes& b) { b[146] = std::byte{4}; }), "out_of_range");
   EXPECT_EQ(refusal([&](Bytes& b) { put(b, 148, nan); }), "out_of_range");
   EXPECT_EQ(refusal([&](Bytes& b) { put(b, 148, 1.0F); }), "out_of_range");
+  EXPECT_EQ(refusal([&](Bytes& b) { put(b, 216, 7.0F); }), "out_of_range");
+  EXPECT_EQ(refusal([&](Bytes& b) { put(b, 472, -2000.0F); }), "out_of_range");
   EXPECT_EQ(refusal([&](Bytes& b) { put(b, 888, nan); }), "none") << "gravity is not used";
 }
 

@@ -252,6 +252,25 @@ TEST_F(FriSessionTest, DoubledAndOldDatagramsAreOnlyCounted) {
   EXPECT_TRUE(cycle(moving(1)));
 }
 
+TEST_F(FriSessionTest, AJumpOfTheArmIsNotBelievedAtOnce) {
+  commanding();
+  auto damaged = datagram_;
+  ++damaged.sequence;
+  damaged.q_rad[2] += 0.5F;
+  EXPECT_FALSE(session_.take(damaged));
+  EXPECT_EQ(session_.counts().implausible, 1u);
+  ++datagram_.sequence;
+  EXPECT_TRUE(cycle(moving(1))) << "one is bridged";
+  damaged.sequence = datagram_.sequence;
+  for (int i = 0; i < 10; ++i) {
+    ++damaged.sequence;
+    session_.take(damaged);
+  }
+  answer_ = session_.answer();
+  datagram_ = damaged;
+  expectFallen(FriFall::kLostDatagrams, LinkFault::kPoorLine);
+}
+
 TEST_F(FriSessionTest, ASequenceThatBeginsAnewEndsTheMotion) {
   datagram_.sequence = 1000;
   commanding();

@@ -92,11 +92,11 @@ TEST(PoseReceiver, SaysWhatIsWrong) {
 }
 
 TEST(PoseReceiver, AddressesAreHostAndPort) {
-  EXPECT_EQ(trackerAddressOf("tracker.local")->port, 18944);
-  EXPECT_EQ(trackerAddressOf("10.0.0.5:2000")->port, 2000);
-  EXPECT_EQ(trackerAddressOf("10.0.0.5:2000")->host, "10.0.0.5");
+  EXPECT_EQ(hostAddressOf("tracker.local", 18944)->port, 18944);
+  EXPECT_EQ(hostAddressOf("10.0.0.5:2000", 18944)->port, 2000);
+  EXPECT_EQ(hostAddressOf("10.0.0.5:2000", 18944)->host, "10.0.0.5");
   for (const auto* text : {"", ":80", "host:", "host:0", "host:70000", "host:a"})
-    EXPECT_FALSE(trackerAddressOf(text)) << text;
+    EXPECT_FALSE(hostAddressOf(text, 18944)) << text;
 }
 
 }  // namespace
