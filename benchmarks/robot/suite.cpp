@@ -6,7 +6,9 @@ Suite suite() {
   return {"robot",
           "The robot that follows: kinematics, planning, motion, guard, links",
           {{"fri", "An LBR 4+ over its Fast Research Interface", measureFri},
-           {"motion", "Jerk-limited motion planned anew", measureMotion}}};
+           {"guard", "The motion guard against every kind of wish", measureGuard},
+           {"motion", "Jerk-limited motion planned anew", measureMotion},
+           {"stop", "Stops through the servo loop and the drives", measureStop}}};
 }
 
 }  // namespace mirrorarm::benchmarks::robot

@@ -9,6 +9,8 @@ namespace mirrorarm::benchmarks::robot {
 [[nodiscard]] Suite suite();
 
 void measureFri(Run& run);
+void measureGuard(Run& run);
 void measureMotion(Run& run);
+void measureStop(Run& run);
 
 }  // namespace mirrorarm::benchmarks::robot

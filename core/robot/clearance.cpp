@@ -11,6 +11,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kPostures = 400;       // by which it is judged what is always near
 constexpr double kMostly = 0.5;      // of them
+constexpr double kNoChange = 1e-18;  // square of a gradient [m^2/rad^2]
 constexpr double kHeadLook_m = 1.0;  // farther off no head slows anything
 
 Joints randomPosture(const ArmDescription& arm, std::minstd_rand& random) {
@@ -148,8 +149,10 @@ ClearanceRow Clearance::rowOf(const Found& found, bool at_rest) const noexcept {
 void Clearance::addRows(bool at_rest) noexcept {
   for (int i = 0; i < found_count_; ++i) {
     const Found& found = found_[static_cast<std::size_t>(i)];
+    const ClearanceRow row = rowOf(found, at_rest);
+    if (row.gradient.squaredNorm() < kNoChange) continue;
     pairs_[static_cast<std::size_t>(row_count_)] = found.pair;
-    rows_[static_cast<std::size_t>(row_count_++)] = rowOf(found, at_rest);
+    rows_[static_cast<std::size_t>(row_count_++)] = row;
   }
 }
 

@@ -32,11 +32,11 @@ struct ClearancePair {
 
 /// How near the parts of one arm are to each other and to obstacles: the rows that the motion guard wants.
 /// The same pairs as CollisionWorld looks at, but for those that the arm's build keeps within `self_m` of
-/// each other in most postures: for these the joint ranges must see. Distances are exact. No call allocates;
-/// one thread, it keeps work space.
+/// each other in most postures: for these the joint ranges must see. What no joint changes has no row.
+/// Distances are exact. No call allocates; one thread, it keeps work space.
 class Clearance {
  public:
-  static constexpr int kMostRows = 8;  ///< of each posture, the nearest
+  static constexpr int kMostRows = 16;  ///< of each posture, the nearest
 
   /// Looks at nothing.
   Clearance() = default;

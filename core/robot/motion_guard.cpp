@@ -48,16 +48,15 @@ Commanded follow(const Stop& stop, const GuardCheck& check) {
   return {state.q_rad, state.v_rad_s, state.a_rad_s2, stop.afterOneCycle()};
 }
 
-/// The shortest stop from `last` that keeps the limits; what is left of its own where none is shorter.
+/// The shortest stop from `last` that keeps the limits of the joints; what is left of its own where none is
+/// shorter. Less speed needs no leave of the flange's limits.
 Stop shortestStop(const GuardCheck& check) {
   const MotionState start = stateOf(check.last());
   const ToolMotion tool(check.around().jacobian, start.v_rad_s, start.a_rad_s2, 0.0);
-  Stop shortest = check.last().stop;
-  for (const Stop& stop : planStops(start, tool, check.period_s(), check.limits())) {
-    const bool only = shortest.cycles() == 0;
-    if (only || (stop.cycles() < shortest.cycles() && check.stop(start, tool, stop).passed()))
-      shortest = stop;
-  }
+  const auto stops = planStops(start, tool, check.period_s(), check.limits());
+  Stop shortest = check.last().stop.cycles() > 0 ? check.last().stop : stops[0];
+  for (const Stop& stop : stops)
+    if (stop.cycles() < shortest.cycles() && check.joints(start, stop).passed()) shortest = stop;
   return shortest;
 }
 

@@ -40,6 +40,10 @@ class GuardCheck {
   [[nodiscard]] GuardVerdict step(const MotionState& next) const;
   /// `stop` from `start`, which is `last` or the state after it; `tool` at `start`.
   [[nodiscard]] GuardVerdict stop(const MotionState& start, const ToolMotion& tool, const Stop& stop) const;
+  /// The same of the joints alone.
+  [[nodiscard]] GuardVerdict joints(const MotionState& start, const Stop& stop) const {
+    return joints(start, stop, StopCourse(stop, period_s_));
+  }
 
  private:
   [[nodiscard]] GuardVerdict joints(const MotionState& start, const Stop& stop,
