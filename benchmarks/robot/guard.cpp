@@ -9,8 +9,8 @@
 #include "benchmarks/timing.h"
 #include "core/common/resources.h"
 #include "core/robot/clearance.h"
+#include "core/robot/hand.h"
 #include "core/robot/urdf.h"
-#include "core/simulation/bench_layout.h"
 #include "tests/robot/guard_mischief.h"
 #include "tests/robot/guard_wire.h"
 
@@ -32,6 +32,13 @@ ArmDescription lbr() {
   auto arm = readUrdf(resourceFolder() / "robots/lbr4plus.urdf");
   if (!arm) throw std::runtime_error(describe(arm.error()));
   return *arm;
+}
+
+/// Camera bar and sling.
+std::vector<Capsule> handOn(const ArmDescription& arm) {
+  const auto hand = readHand(resourceFolder() / "robots/hand.yaml");
+  if (!hand) throw std::runtime_error(describe(hand.error()));
+  return attachedTo(arm, *hand);
 }
 
 /// A table, a box beside the arm and a head.
@@ -70,7 +77,7 @@ class Trial {
  public:
   explicit Trial(bool in_room)
       : in_room_(in_room),
-        attached_(simulation::bench_layout::attachedShapes(arm_)),
+        attached_(handOn(arm_)),
         clearance_(in_room ? Clearance(arm_, attached_, room()) : Clearance()),
         watched_(clearance_) {}
 

@@ -12,8 +12,8 @@
 #include "core/common/resources.h"
 #include "core/common/time_source.h"
 #include "core/control/servo_loop.h"
+#include "core/robot/hand.h"
 #include "core/robot/urdf.h"
-#include "core/simulation/bench_layout.h"
 #include "core/simulation/simulated_robot.h"
 
 namespace mirrorarm::benchmarks::robot {
@@ -38,6 +38,13 @@ ArmDescription lbr() {
   auto arm = readUrdf(resourceFolder() / "robots/lbr4plus.urdf");
   if (!arm) throw std::runtime_error(describe(arm.error()));
   return *arm;
+}
+
+/// Camera bar and sling.
+std::vector<Capsule> handOn(const ArmDescription& arm) {
+  const auto hand = readHand(resourceFolder() / "robots/hand.yaml");
+  if (!hand) throw std::runtime_error(describe(hand.error()));
+  return attachedTo(arm, *hand);
 }
 
 /// A servo loop on the simulated robot with its drives; time passes when it is told to.
@@ -76,9 +83,7 @@ class Rig {
   }
 
  private:
-  [[nodiscard]] Clearance keepClear() const {
-    return {arm_, simulation::bench_layout::attachedShapes(arm_), {}};
-  }
+  [[nodiscard]] Clearance keepClear() const { return {arm_, handOn(arm_), {}}; }
 
   ArmDescription arm_ = lbr();
   MotionLimits limits_ = *limitsOf("therapy", arm_);
