@@ -15,6 +15,10 @@ constexpr int kMostAtOnce = 128;  // datagrams a cycle, however many a stranger 
 }  // namespace
 
 Expected<std::unique_ptr<FriLink>, std::string> FriLink::open(const FriLinkSettings& settings) {
+  const FriSettings& session = settings.session;
+  if (session.gives_way == robot::GivesWay::kAtTool &&
+      (!session.arm || session.arm->joints.size() != kFriJoints))
+    return unexpected(std::string("giving way at the tool needs the description of an arm of seven joints"));
   std::optional<std::uint32_t> controller;
   if (!settings.controller.empty()) {
     const auto address = ipv4Of(settings.controller);

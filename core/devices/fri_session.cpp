@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "core/devices/fri_joints.h"
@@ -88,6 +89,11 @@ LinkFault linkFaultOf(FriFall fall) {
       break;
   }
   return LinkFault::kNotReady;
+}
+
+FriSession::FriSession(const FriSettings& settings) : settings_(settings) {
+  assert(settings.gives_way != robot::GivesWay::kAtTool || settings.arm);
+  if (settings.gives_way == robot::GivesWay::kAtTool) tool_pose_.emplace(*settings.arm);
 }
 
 LinkFault FriSession::fault() const noexcept {
@@ -256,6 +262,7 @@ void FriSession::halt() noexcept {
 void FriSession::mirror() noexcept {
   held_ = heldBy(newest_);
   speed_ = Joints::Zero(kFriJoints);
+  if (tool_pose_) tool_pose_->mirror(held_, newest_.flange);
   compliance_ = settings_.compliance;
 }
 
@@ -300,7 +307,8 @@ void FriSession::fillImpedance(FriCommand& answer) const noexcept {
     answer.joint_damping.fill(bounded(compliance_.joint_damping, kLeastDamping, kMostDamping));
   }
   if (gives_way == robot::GivesWay::kAtTool) {
-    answer.flags |= kFriToolStiffness | kFriToolDamping;
+    answer.flags |= kFriToolPosition | kFriToolStiffness | kFriToolDamping;
+    answer.flange = tool_pose_->at(held_);
     constexpr std::array<Eigen::Index, 6> kOrder{0, 1, 2, 5, 4, 3};  // the wire's X Y Z RZ RY RX
     for (std::size_t i = 0; i < kOrder.size(); ++i)
       answer.tool_stiffness[i] = bounded(compliance_.tool_stiffness[kOrder[i]], kLeastStiffness,

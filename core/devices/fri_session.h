@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/common/expected.h"
 #include "core/devices/fri_settings.h"
+#include "core/devices/fri_tool_pose.h"
 #include "core/robot/robot_link.h"
 
 namespace mirrorarm::devices {
@@ -52,7 +54,8 @@ enum class FriFall : std::uint8_t {
 /// halt() is called: it never goes on by itself.
 class FriSession {
  public:
-  explicit FriSession(const FriSettings& settings) : settings_(settings) {}
+  /// Giving way at the tool needs settings.arm.
+  explicit FriSession(const FriSettings& settings);
 
   /// A datagram; false for one that came twice, out of order or with a jump of the arm, which is only
   /// counted.
@@ -101,6 +104,7 @@ class FriSession {
   void fillImpedance(FriCommand& answer) const noexcept;
 
   const FriSettings settings_;
+  std::optional<FriToolPose> tool_pose_;  ///< where the arm gives way at the tool
   FriPhase phase_ = FriPhase::kAbsent;
   FriFall fall_ = FriFall::kNone;
   FriMeasurement newest_;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/common/time.h"
 #include "core/devices/fri_datagram.h"
+#include "core/robot/arm_description.h"
 #include "core/robot/compliance.h"
 
 namespace mirrorarm::devices {
@@ -22,6 +24,7 @@ struct FriSettings {
   Seconds period{0.001};  ///< what the program on the controller gives friOpen
   FriHandshake handshake{};
   robot::GivesWay gives_way = robot::GivesWay::kNot;
+  std::optional<robot::ArmDescription> arm{};  ///< of seven joints; needed to give way at the tool
   /// In force until a command brings its own.
   robot::Compliance compliance{robot::Joints::Constant(kFriJoints, 1000.0), 0.7,
                                (Eigen::Matrix<double, 6, 1>() << 2000, 2000, 2000, 200, 200, 200).finished(),

@@ -25,6 +25,8 @@ TEST(BadInput, WrongUse) {
   expectRefused("session", "--out");
   expectRefused("session --out x --seconds many", "seconds");
   expectRefused("calibrate stereo", "");
+  expectRefused("serve", "subcommand");
+  expectRefused("serve robot --robot kuka:1", "--robot");
 }
 
 TEST(BadInput, MissingFiles) {

@@ -1,10 +1,12 @@
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "core/devices/fri_joints.h"
 #include "core/devices/fri_session.h"
+#include "core/robot/urdf.h"
 #include "tests/common/no_heap.h"
 
 namespace mirrorarm::devices {
@@ -313,6 +315,44 @@ TEST_F(FriSessionTest, BendsTheSpringsAsToldWithinTheControllersRanges) {
   EXPECT_EQ(sent.joint_stiffness_nm_rad[0], 150.0F);
   EXPECT_EQ(sent.joint_stiffness_nm_rad[6], 2000.0F);
   EXPECT_EQ(sent.joint_damping[3], 0.7F);
+}
+
+TEST_F(FriSessionTest, GivesAPoseAlongWhereTheArmGivesWayAtTheTool) {
+  const auto arm = robot::readUrdf(std::filesystem::path(RESOURCES) / "robots/lbr4plus.urdf");
+  ASSERT_TRUE(arm) << describe(arm.error());
+  const robot::Kinematics kinematics(*arm);
+  FriSettings settings;
+  settings.gives_way = robot::GivesWay::kAtTool;
+  settings.arm = *arm;
+  FriSession session(settings);
+  const RigidTransform X_FT = makeTransform(Eigen::Quaterniond(0.8, 0.0, 0.6, 0.0), {0.01, 0.02, 0.2});
+  const auto wireOf = [&](const Joints& q) {
+    std::array<float, 12> wire{};
+    const RigidTransform X_BT = kinematics.flange(q) * X_FT;
+    for (int i = 0; i < 12; ++i) wire[static_cast<std::size_t>(i)] = static_cast<float>(X_BT(i / 4, i % 4));
+    return wire;
+  };
+  const auto expectPose = [](const std::array<float, 12>& sent, const std::array<float, 12>& wanted) {
+    for (std::size_t i = 0; i < sent.size(); ++i) EXPECT_NEAR(sent[i], wanted[i], 1e-6) << i;
+  };
+  datagram_.control = FriControl::kCartesianImpedance;
+  datagram_.flange = wireOf(kHome);
+  FriCommand sent;
+  for (int i = 0; i < 20; ++i) {
+    datagram_.state = i < 3 ? FriState::kMonitor : FriState::kCommand;
+    ++datagram_.sequence;
+    session.take(datagram_);
+    ASSERT_TRUE(session.command({kHome, {}}));
+    sent = session.answer();
+    expectPose(sent.flange, datagram_.flange);
+  }
+  EXPECT_EQ(sent.flags, kFriJointPosition | kFriToolPosition | kFriToolStiffness | kFriToolDamping);
+  EXPECT_EQ(sent.from_host.integers[0], 20);
+  EXPECT_EQ(sent.tool_stiffness[3], 200.0F);
+  ++datagram_.sequence;
+  session.take(datagram_);
+  ASSERT_TRUE(session.command({moving(3), {}}));
+  expectPose(session.answer().flange, wireOf(moving(3)));
 }
 
 TEST_F(FriSessionTest, TakesNothingFromTheHeap) {
