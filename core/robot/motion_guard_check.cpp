@@ -6,8 +6,10 @@
 namespace mirrorarm::robot {
 namespace {
 
-constexpr double kSlack = 1e-6;      // share of a limit that rounding may use up
-constexpr double kAhead = 0.995;     // share of a limit of the flange for what is known to the second order
+constexpr double kSlack = 1e-6;        // share of a limit that rounding may use up
+constexpr double kSpeedAhead = 0.995;  // shares of the flange's limits for what is known to the second order
+constexpr double kAccelerationAhead = 0.998;
+constexpr double kStep = 0.999;      // the same for the step itself
 constexpr double kWaySlack = 1e-10;  // the same of a way [m, rad]
 
 double of(const Share& share, double v, double a) { return share[0] * v + share[1] * a; }
@@ -74,8 +76,9 @@ GuardVerdict GuardCheck::step(const MotionState& next) const {
   const Eigen::Vector3d speed = toolOf(around_.jacobian, next.v_rad_s) + 0.5 * period_s_ * curved;
   const Eigen::Vector3d acceleration =
       toolOf(around_.jacobian, next.a_rad_s2) + 0.5 * (curved + tool_curvature_);
-  if (isLonger(speed, cap_.speed_m_s)) return {cap_.action};
-  if (isLonger(acceleration, limits_.max_tool_acceleration_m_s2)) return {GuardAction::kToolAcceleration};
+  if (isLonger(speed, kStep * cap_.speed_m_s)) return {cap_.action};
+  if (isLonger(acceleration, kStep * limits_.max_tool_acceleration_m_s2))
+    return {GuardAction::kToolAcceleration};
   return {};
 }
 
@@ -133,9 +136,9 @@ GuardVerdict GuardCheck::clearances(const MotionState& start, const Stop& stop,
 GuardVerdict GuardCheck::tool(const ToolMotion& motion, const StopCourse& course) const {
   GuardVerdict verdict;
   static_cast<void>(course.allOf([&](const Moment& moment) {
-    if (isLonger(motion.speed(moment), kAhead * cap_.speed_m_s))
+    if (isLonger(motion.speed(moment), kSpeedAhead * cap_.speed_m_s))
       verdict.action = cap_.action;
-    else if (isLonger(motion.acceleration(moment), limits_.max_tool_acceleration_m_s2))
+    else if (isLonger(motion.acceleration(moment), kAccelerationAhead * limits_.max_tool_acceleration_m_s2))
       verdict.action = GuardAction::kToolAcceleration;
     return verdict.passed();
   }));
