@@ -9,6 +9,8 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 
+#include "core/robot/joint_ranges.h"
+
 namespace mirrorarm::robot {
 namespace {
 
@@ -29,15 +31,7 @@ class SeededSampler final : public ob::RealVectorStateSampler {
   }
 };
 
-/// The joint positions that a search may use.
-struct Bounds {
-  Joints lower, upper;
-  [[nodiscard]] bool have(const Joints& q) const {
-    return (q.array() >= lower.array()).all() && (q.array() <= upper.array()).all();
-  }
-};
-
-ob::StateSpacePtr spaceOf(const Bounds& bounds, std::uint64_t seed) {
+ob::StateSpacePtr spaceOf(const JointRanges& bounds, std::uint64_t seed) {
   const auto joints = static_cast<unsigned>(bounds.lower.size());
   auto space = std::make_shared<ob::RealVectorStateSpace>(joints);
   ob::RealVectorBounds box(joints);
@@ -55,6 +49,30 @@ Joints toJoints(const ob::State* state, Eigen::Index joints) {
   return Eigen::Map<const Eigen::VectorXd>(state->as<ob::RealVectorStateSpace::StateType>()->values, joints);
 }
 
+/// Edges of the trees are proven clear, not sampled.
+class ProvenMotion final : public ob::MotionValidator {
+ public:
+  ProvenMotion(const ob::SpaceInformationPtr& space, const CollisionWorld& world, double finest_rad)
+      : MotionValidator(space), world_(world), finest_rad_(finest_rad) {}
+
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    const auto joints = static_cast<Eigen::Index>(si_->getStateDimension());
+    return !world_.firstContact(toJoints(from, joints), toJoints(to, joints), finest_rad_);
+  }
+  /// Asked by planners that keep part of a blocked edge; RRT-Connect does not.
+  bool checkMotion(const ob::State* from, const ob::State* to,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    const bool clear = checkMotion(from, to);
+    last_valid.second = clear ? 1.0 : 0.0;
+    if (last_valid.first != nullptr) si_->copyState(last_valid.first, clear ? to : from);
+    return clear;
+  }
+
+ private:
+  const CollisionWorld& world_;
+  double finest_rad_;
+};
+
 ob::ScopedState<> toState(const ob::StateSpacePtr& space, const Joints& q) {
   ob::ScopedState<> state(space);
   for (Eigen::Index j = 0; j < q.size(); ++j) state[static_cast<unsigned>(j)] = q[j];
@@ -68,44 +86,33 @@ double largestStep(const Joints& from, const Joints& to) { return (to - from).cw
 struct Planner::Body {
   Body(const ArmDescription& described, std::span<const Capsule> attached,
        std::span<const Obstacle> obstacles, const PlannerSettings& chosen)
-      : world(described, attached, obstacles), settings(chosen), arm{} {
-    const int n = described.jointCount();
-    arm = {Joints(n), Joints(n)};
-    for (int j = 0; j < n; ++j) {
-      arm.lower[j] = described.joints[static_cast<std::size_t>(j)].lower_rad;
-      arm.upper[j] = described.joints[static_cast<std::size_t>(j)].upper_rad;
-    }
-  }
+      : world(described, attached, obstacles), settings(chosen), arm(jointRanges(described)) {}
 
   [[nodiscard]] bool edgeIsClear(const Joints& from, const Joints& to) const {
     return !contactOn(from, to).has_value();
   }
 
-  /// The first contact on the straight joint motion after `from`.
   [[nodiscard]] std::optional<Contact> contactOn(const Joints& from, const Joints& to) const {
-    const int steps =
-        std::max(1, static_cast<int>(std::ceil(largestStep(from, to) / settings.resolution_rad)));
-    for (int i = 1; i <= steps; ++i)
-      if (auto contact = world.contact(from + (static_cast<double>(i) / steps) * (to - from))) return contact;
-    return std::nullopt;
+    return world.firstContact(from, to, settings.resolution_rad);
   }
 
   /// The joint range that a path may use.
-  [[nodiscard]] Bounds near(const Joints& from, const Joints& to) const {
+  [[nodiscard]] JointRanges near(const Joints& from, const Joints& to) const {
     const auto room = Joints::Constant(from.size(), settings.max_joint_range_rad);
     return {arm.lower.cwiseMax(from.cwiseMin(to) - room), arm.upper.cwiseMin(from.cwiseMax(to) + room)};
   }
 
   /// A path within `bounds`, start and goal included; empty when none was found.
-  [[nodiscard]] std::vector<Joints> search(const Joints& from, const Joints& to, const Bounds& bounds) const {
+  [[nodiscard]] std::vector<Joints> search(const Joints& from, const Joints& to,
+                                           const JointRanges& bounds) const {
     if (!bounds.have(from) || !bounds.have(to)) return {};
     const ob::StateSpacePtr space = spaceOf(bounds, settings.seed);
     og::SimpleSetup setup(space);
     setup.setStateValidityChecker(
         [&](const ob::State* state) { return !world.collides(toJoints(state, from.size())); });
     setup.setStartAndGoalStates(toState(space, from), toState(space, to));
-    setup.getSpaceInformation()->setStateValidityCheckingResolution(settings.resolution_rad /
-                                                                    space->getMaximumExtent());
+    setup.getSpaceInformation()->setMotionValidator(
+        std::make_shared<ProvenMotion>(setup.getSpaceInformation(), world, settings.resolution_rad));
     const auto planner = std::make_shared<og::RRTConnect>(setup.getSpaceInformation());
     planner->setRange(kTreeStep_rad);
     setup.setPlanner(planner);
@@ -164,7 +171,7 @@ struct Planner::Body {
 
   CollisionWorld world;
   PlannerSettings settings;
-  Bounds arm;
+  JointRanges arm;
 };
 
 Planner::Planner(const ArmDescription& arm, std::span<const Capsule> attached,
@@ -181,7 +188,7 @@ bool Planner::collides(const Joints& q) const { return body_->world.collides(q);
 std::optional<Contact> Planner::contact(const Joints& q) const { return body_->world.contact(q); }
 
 bool Planner::directIsClear(const Joints& from, const Joints& to) const {
-  return !collides(from) && body_->edgeIsClear(from, to);
+  return body_->edgeIsClear(from, to);
 }
 
 Expected<PlannedPath, PlanRefusal> Planner::plan(const Joints& from, const Joints& to) {

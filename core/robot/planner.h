@@ -14,7 +14,7 @@
 namespace mirrorarm::robot {
 
 struct PlannerSettings {
-  double resolution_rad = 0.02;  ///< largest joint step between two collision checks
+  double resolution_rad = 0.005;  ///< see CollisionWorld::firstContact
   double max_joint_range_rad =
       1.0;                ///< a path that moves one joint further than this from both ends is rejected
   Seconds max_time{0.5};  ///< for both searches of a plan; their number of steps is bounded too
@@ -43,8 +43,8 @@ struct PlannedPath {
   bool direct = true;  ///< the straight joint motion was clear
 };
 
-/// Self-collision and obstacles of one arm (FCL inside), and paths around them (RRT-Connect of OMPL), tried
-/// only when the straight joint motion is blocked. One thread. Source: paper section 2.4; Kuffner, LaValle,
+/// Self-collision and obstacles of one arm, and paths around them (RRT-Connect of OMPL), tried only when the
+/// straight joint motion is blocked. One thread. Source: paper section 2.4; Kuffner, LaValle,
 /// ICRA 2000.
 class Planner {
  public:

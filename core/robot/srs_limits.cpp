@@ -54,15 +54,6 @@ unsigned branchesWithin(const SrsPostures& postures, const JointRanges& ranges, 
 
 }  // namespace
 
-JointRanges jointRanges(const ArmDescription& arm) {
-  JointRanges ranges{Joints(arm.jointCount()), Joints(arm.jointCount())};
-  for (int i = 0; i < arm.jointCount(); ++i) {
-    ranges.lower[i] = arm.joints[static_cast<std::size_t>(i)].lower_rad;
-    ranges.upper[i] = arm.joints[static_cast<std::size_t>(i)].upper_rad;
-  }
-  return ranges;
-}
-
 ArmAngleRanges::ArmAngleRanges(const SrsArm& arm, const SrsPostures& postures, const JointRanges& ranges) {
   Cuts cuts;
   for (const auto* ends : {&ranges.lower, &ranges.upper}) {

@@ -3,18 +3,10 @@
 #include <array>
 #include <span>
 
+#include "core/robot/joint_ranges.h"
 #include "core/robot/srs_postures.h"
 
 namespace mirrorarm::robot {
-
-/// Joint ranges [rad].
-struct JointRanges {
-  Joints lower, upper;
-  [[nodiscard]] bool have(const Joints& q) const {
-    return (q.array() >= lower.array()).all() && (q.array() <= upper.array()).all();
-  }
-};
-[[nodiscard]] JointRanges jointRanges(const ArmDescription& arm);
 
 /// Arm angles from `from` to `to` >= `from` [rad]; a full circle when they are 2 pi apart.
 struct ArmAngleRange {
