@@ -7,7 +7,9 @@ Suite suite() {
           "The robot that follows: kinematics, planning, motion, guard, links",
           {{"fri", "An LBR 4+ over its Fast Research Interface", measureFri},
            {"guard", "The motion guard against every kind of wish", measureGuard},
+           {"inverse-kinematics", "Joints for a pose of the flange", measureInverseKinematics},
            {"motion", "Jerk-limited motion planned anew", measureMotion},
+           {"planning", "Ways around what stands between", measurePlanning},
            {"stop", "Stops through the servo loop and the drives", measureStop}}};
 }
 

@@ -10,7 +10,9 @@ namespace mirrorarm::benchmarks::robot {
 
 void measureFri(Run& run);
 void measureGuard(Run& run);
+void measureInverseKinematics(Run& run);
 void measureMotion(Run& run);
+void measurePlanning(Run& run);
 void measureStop(Run& run);
 
 }  // namespace mirrorarm::benchmarks::robot

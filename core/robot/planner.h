@@ -14,7 +14,7 @@
 namespace mirrorarm::robot {
 
 struct PlannerSettings {
-  double resolution_rad = 0.005;  ///< see CollisionWorld::firstContact
+  double resolution_rad = 0.01;  ///< see CollisionWorld::firstContact
   double max_joint_range_rad =
       1.0;                ///< a path that moves one joint further than this from both ends is rejected
   Seconds max_time{0.5};  ///< for both searches of a plan; their number of steps is bounded too

@@ -12,6 +12,7 @@ Equipment equipmentOf(simulation::Bench& bench) {
   equipment.rig = bench.rig();
   equipment.arm = bench.arm();
   equipment.attached = bench.attached();
+  equipment.obstacles = bench.surroundings();
   equipment.X_FC = bench.X_FC();
   equipment.X_FE = bench.X_FE();
   equipment.simulated = true;
