@@ -44,6 +44,15 @@ FromFile<std::unique_ptr<ArmMotion>> makeMotion(const BenchSettings& settings, c
   return std::make_unique<RecordedMotion>(std::move(*recorded));
 }
 
+SimulatedRobotSettings robotSettings(const BenchSettings& settings, const RigidTransform& X_FE) {
+  SimulatedRobotSettings robot;
+  robot.seed = settings.seed ^ kRobotStream;
+  robot.gives_way = settings.robot_gives_way;
+  if (!settings.plate) robot.load = settings.sling_arm;
+  robot.p_FE_F = X_FE.translation();
+  return robot;
+}
+
 }  // namespace
 
 struct Bench::Body {
@@ -80,7 +89,7 @@ struct Bench::Body {
         surroundings(std::move(parts.surroundings)),
         motion(std::move(parts.motion)),
         kinematics(std::move(forward)),
-        robot(arm, parts.start, time_source, settings.seed ^ kRobotStream),
+        robot(arm, parts.start, time_source, robotSettings(settings, X_FE)),
         cameras(
             rig, {}, {},
             {settings.rate_hz, settings.exposure, settings.transfer, settings.own_pace,
@@ -158,5 +167,13 @@ Bench::Truth Bench::truthAt(TimePoint time) const {
 void Bench::failCameras(bool failed) { body_->cameras.fail(failed); }
 void Bench::hideTarget(bool hidden) { body_->target_hidden.store(hidden, std::memory_order_relaxed); }
 void Bench::silenceRobot(bool silent) { body_->robot.silence(silent); }
+void Bench::disturbRobotLine(const LineFaults& faults) { body_->robot.disturbLine(faults); }
+
+void Bench::setPatientEffort(double share) {
+  if (SlingLoad* const load = body_->robot.load()) load->setEffort(share);
+}
+void Bench::pushSling(const Eigen::Vector3d& force_B_n) {
+  if (SlingLoad* const load = body_->robot.load()) load->push(force_B_n);
+}
 
 }  // namespace mirrorarm::simulation

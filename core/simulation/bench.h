@@ -16,7 +16,9 @@
 #include "core/robot/obstacle.h"
 #include "core/robot/robot_link.h"
 #include "core/simulation/arm_motion.h"
+#include "core/simulation/line_faults.h"
 #include "core/simulation/patch.h"
+#include "core/simulation/sling_load.h"
 
 namespace mirrorarm::simulation {
 
@@ -45,6 +47,8 @@ struct BenchSettings {
   Seconds transfer{0.020};          ///< from the end of the exposure until the frame is handed out
   Seconds camera_clock_ahead{0.0};  ///< the frames' times are later than the truth by that
   std::uint64_t seed = 1;
+  SlingArm sling_arm{};          ///< what the robot feels of the impaired arm; not where a plate stands
+  bool robot_gives_way = false;  ///< like springs in its joints; else it holds its position stiffly
   bool own_pace = true;  ///< frames and states wait for the time source (real time); false: asked in lockstep
 };
 
@@ -73,6 +77,12 @@ class Bench {
   /// The simulated patient moves the healthy arm while true; starting and stopping are smooth. Any thread.
   void setPatientMoving(bool moving);
 
+  /// The share of the impaired arm's weight that the patient carries himself, 0 to 1; nothing at first. Any
+  /// thread, as below. No effect where a plate stands.
+  void setPatientEffort(double share);
+  /// A push on the sling besides; stays until the next one.
+  void pushSling(const Eigen::Vector3d& force_B_n);
+
   /// What is truly there at one time.
   struct Truth {
     std::vector<Disc> discs;      ///< of the healthy forearm; none where a plate stands
@@ -86,6 +96,7 @@ class Bench {
   void failCameras(bool failed);
   void hideTarget(bool hidden);  ///< or the plate
   void silenceRobot(bool silent);
+  void disturbRobotLine(const LineFaults& faults);
 
  private:
   struct Body;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace mirrorarm::simulation {
 namespace {
@@ -10,10 +11,17 @@ constexpr double kStiffness_hz = 150.0;           // angular: the lag is 2 / thi
 constexpr double kMaxAcceleration_rad_s2 = 20.0;  // what the motors can
 constexpr double kBraking_rad_s2 = 6.0;
 
+/// What a joint of a light arm moves, in working postures: the first ones the whole arm, the last the hand.
+double inertiaOf(Eigen::Index joint) { return joint < 2 ? 1.5 : joint < 4 ? 0.5 : 0.1; }
+
 }  // namespace
 
 JointDrives::JointDrives(const robot::ArmDescription& arm, const robot::Joints& start)
-    : lower_(arm.jointCount()), upper_(arm.jointCount()), max_speed_(arm.jointCount()), q_(start) {
+    : lower_(arm.jointCount()),
+      upper_(arm.jointCount()),
+      max_speed_(arm.jointCount()),
+      max_torque_(arm.jointCount()),
+      q_(start) {
   assert(start.size() == arm.jointCount());
   v_ = robot::Joints::Zero(start.size());
   for (int i = 0; i < arm.jointCount(); ++i) {
@@ -21,6 +29,7 @@ JointDrives::JointDrives(const robot::ArmDescription& arm, const robot::Joints& 
     lower_[i] = joint.lower_rad;
     upper_[i] = joint.upper_rad;
     max_speed_[i] = joint.max_speed_rad_s;
+    max_torque_[i] = joint.max_torque_nm;
   }
   commands_.fill({TimePoint{}, start});
 }
@@ -32,6 +41,12 @@ void JointDrives::command(TimePoint time, const robot::Joints& q_rad) noexcept {
 }
 
 void JointDrives::halt() noexcept { count_ = 0; }
+
+void JointDrives::soften(const robot::Joints& stiffness_nm_rad, double damping) noexcept {
+  assert(stiffness_nm_rad.size() == q_.size());
+  stiffness_ = stiffness_nm_rad;
+  damping_ = damping;
+}
 
 bool JointDrives::referenceAt(TimePoint time, robot::Joints& reference) const noexcept {
   for (std::size_t age = 0; age < count_; ++age) {
@@ -48,22 +63,41 @@ bool JointDrives::referenceAt(TimePoint time, robot::Joints& reference) const no
   return false;
 }
 
-void JointDrives::advance(TimePoint to, Seconds step) noexcept {
+double JointDrives::springAcceleration(Eigen::Index joint, double reference, double reference_speed,
+                                       double external_torque_nm) const noexcept {
+  const double inertia = inertiaOf(joint);
+  const double stiffness = stiffness_[joint];
+  const double spring = stiffness * (reference - q_[joint]);
+  const double damper = 2.0 * damping_ * std::sqrt(stiffness * inertia) * (reference_speed - v_[joint]);
+  const double motor = std::clamp(spring + damper, -max_torque_[joint], max_torque_[joint]);
+  return (motor + external_torque_nm) / inertia;
+}
+
+void JointDrives::move(Eigen::Index joint, double acceleration, double dt) noexcept {
+  v_[joint] = std::clamp(v_[joint] + dt * acceleration, -max_speed_[joint], max_speed_[joint]);
+  const double next = q_[joint] + dt * v_[joint];
+  q_[joint] = std::clamp(next, lower_[joint], upper_[joint]);
+  if (q_[joint] != next) v_[joint] = 0.0;
+}
+
+void JointDrives::advance(TimePoint to, Seconds step, const robot::Joints& external_torque_nm) noexcept {
   const double dt = step.count();
   robot::Joints reference(q_.size());
   const bool following = referenceAt(to - toClock(kDelay), reference);
+  const bool was_following = reference_.size() == q_.size();
   for (Eigen::Index i = 0; i < q_.size(); ++i) {
-    if (following) {
+    if (!following) {
+      move(i, std::clamp(-v_[i] / dt, -kBraking_rad_s2, kBraking_rad_s2), dt);
+    } else if (stiffness_.size() == 0) {
       const double wanted = kStiffness_hz * (kStiffness_hz * (reference[i] - q_[i]) - 2.0 * v_[i]);
-      v_[i] += dt * std::clamp(wanted, -kMaxAcceleration_rad_s2, kMaxAcceleration_rad_s2);
+      move(i, std::clamp(wanted, -kMaxAcceleration_rad_s2, kMaxAcceleration_rad_s2), dt);
     } else {
-      v_[i] -= std::clamp(v_[i], -dt * kBraking_rad_s2, dt * kBraking_rad_s2);
+      const double speed = was_following ? (reference[i] - reference_[i]) / dt : 0.0;
+      const double external = external_torque_nm.size() == q_.size() ? external_torque_nm[i] : 0.0;
+      move(i, springAcceleration(i, reference[i], speed, external), dt);
     }
-    v_[i] = std::clamp(v_[i], -max_speed_[i], max_speed_[i]);
-    const double next = q_[i] + dt * v_[i];
-    q_[i] = std::clamp(next, lower_[i], upper_[i]);
-    if (q_[i] != next) v_[i] = 0.0;
   }
+  reference_ = following ? reference : robot::Joints();
 }
 
 }  // namespace mirrorarm::simulation

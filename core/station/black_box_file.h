@@ -9,8 +9,14 @@
 
 namespace mirrorarm::station {
 
-/// Writes the servo cycles before a stop as CSV: a row a cycle with measured and commanded joints, what the
-/// guard and the supervisor said. The error is the reason.
+/// A file of its own for the black box of a stop that is kept now: "stop-<time>-<reason>.csv" in `folder`,
+/// with "-2", "-3".. where one of that name is there already.
+[[nodiscard]] std::filesystem::path blackBoxFile(const std::filesystem::path& folder,
+                                                 control::StopReason reason);
+
+/// Writes the servo cycles around a stop as CSV, a row a cycle: what supervisor, guard and operator said,
+/// the ages of the news, force and help, then measured, commanded and sent joints. Columns:
+/// docs/formats-own.md. Whole or not at all; the error is the reason.
 [[nodiscard]] Expected<void, std::string> writeBlackBox(const std::filesystem::path& file,
                                                         std::span<const control::ServoState> states);
 

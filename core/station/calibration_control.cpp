@@ -45,7 +45,6 @@ CalibrationControl::CalibrationControl(const Equipment& equipment, const Calibra
 void CalibrationControl::step(TimePoint now) {
   now_ = now;
   drainServo();
-  noteStop();
   watchCameras();
   takeReports();
   takeAnswers();
@@ -59,6 +58,7 @@ void CalibrationControl::drainServo() {
   const bool streams = state_.phase == Phase::kCapturing && state_.job == CalibrationJob::kClock;
   while (const auto cycle = servo_->takeState()) {
     digest_->add(*cycle);
+    noteStop(stops_.update(*cycle));
     const auto measured_at = cycle->measured.measured_at;
     if (!streams) continue;
     if (const auto X_BF = digest_->flangeAt(measured_at)) streams_.addRobot(measured_at, *X_BF);
@@ -66,13 +66,10 @@ void CalibrationControl::drainServo() {
   if (const auto* newest = digest_->newest()) state_.servo = *newest;
 }
 
-void CalibrationControl::noteStop() {
-  const auto reason = state_.servo.stop;
-  if (reason == noted_stop_) return;
-  noted_stop_ = reason;
-  if (reason == control::StopReason::kNone) return;
-  log(LogLevel::kWarning, "stop." + std::string(id(reason)));
-  jobs_.keepBlackBox(digest_->blackBox(), reason);
+void CalibrationControl::noteStop(const StopNews& news) {
+  if (news.box_due) jobs_.keepBlackBox(digest_->blackBox(), news.reason);
+  if (!news.begun) return;
+  log(LogLevel::kWarning, "stop." + std::string(id(news.reason)));
   guidance_.stopDriving();
 }
 

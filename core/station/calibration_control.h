@@ -11,6 +11,7 @@
 #include "core/station/guidance.h"
 #include "core/station/motion_streams.h"
 #include "core/station/servo_digest.h"
+#include "core/station/stop_log.h"
 
 namespace mirrorarm::station {
 
@@ -41,7 +42,7 @@ class CalibrationControl {
 
  private:
   void drainServo();
-  void noteStop();
+  void noteStop(const StopNews& news);
   void watchCameras();
   void takeReports();
   void takeReport(const BoardReport& report);
@@ -96,7 +97,7 @@ class CalibrationControl {
   std::optional<RigidTransform> X_BF_;        ///< at the exposure of the newest report
   std::optional<RigidTransform> X_BM_;        ///< where the board stood when it was last seen at rest
   bool writing_ = false;
-  control::StopReason noted_stop_ = control::StopReason::kNone;
+  StopLog stops_;
 };
 
 }  // namespace mirrorarm::station

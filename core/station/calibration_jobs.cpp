@@ -89,9 +89,9 @@ void CalibrationJobs::keepBlackBox(std::shared_ptr<const std::vector<control::Se
                                    control::StopReason reason) {
   const auto& folder = shared_->settings.black_box_folder;
   if (folder.empty()) return;
-  const auto file = folder / ("stop-" + isoUtcNow() + "-" + std::string(id(reason)) + ".csv");
-  runner_.run([file, states = std::move(states)] {
-    if (const auto written = writeBlackBox(file, *states); !written) complain(written.error());
+  runner_.run([folder, reason, states = std::move(states)] {
+    if (const auto written = writeBlackBox(blackBoxFile(folder, reason), *states); !written)
+      complain(written.error());
   });
 }
 

@@ -19,6 +19,7 @@ enum class Answer {
   kAccepted,
   kNotNow,         ///< not allowed in this phase
   kStopLatched,    ///< reset the stop first
+  kNotEnabled,     ///< starting needs the enabling device to be held
   kTargetUnseen,   ///< aligning and starting need the target in view
   kNotCalibrated,  ///< aligning and starting need calibrations that are in force and hold
   kTooFewMarkers,  ///< teaching saw fewer than three markers, or three on a line

@@ -37,7 +37,6 @@ void ControlStage::report(const FrameReport& report) noexcept {
 void ControlStage::step(TimePoint now) {
   now_ = now;
   drainServo();
-  noteStop();
   takeReports();
   obeyCommands();
   follow();
@@ -48,6 +47,7 @@ void ControlStage::step(TimePoint now) {
 void ControlStage::drainServo() {
   while (const auto cycle = servo_.takeState()) {
     digest_.add(*cycle);
+    noteStop(stops_.update(*cycle));
     if (cycle->sent.q_rad.size() > 0)
       arm_delay_.add(cycle->sent.q_rad, cycle->sent.v_rad_s, cycle->measured.q_rad);
   }
@@ -55,16 +55,21 @@ void ControlStage::drainServo() {
   if (const auto* newest = digest_.newest()) state_.servo = *newest;
 }
 
-void ControlStage::noteStop() {
-  const auto reason = state_.servo.stop;
-  if (reason == noted_stop_) return;
-  noted_stop_ = reason;
-  if (reason == control::StopReason::kNone) return recordEvent("stop_reset");
-  const std::string event = "stop." + std::string(id(reason));
+void ControlStage::noteStop(const StopNews& news) {
+  if (news.box_due) recorder_.add(RecorderStage::BlackBox{digest_.blackBox(), news.reason});
+  if (news.ended) recordEvent("stop_reset");
+  if (news.graver) recordEvent("stop.category_1");
+  if (!news.begun) return;
+  const std::string event = "stop." + std::string(id(news.reason));
   log(LogLevel::kWarning, event);
   recordEvent(event);
-  recorder_.add(RecorderStage::BlackBox{digest_.blackBox(), reason});
   if (state_.phase == Phase::kTraining) pause();
+}
+
+void ControlStage::end() {
+  drainServo();
+  if (const auto reason = stops_.unkept())
+    recorder_.add(RecorderStage::BlackBox{digest_.blackBox(), *reason});
 }
 
 void ControlStage::takeReports() {
@@ -190,6 +195,8 @@ Answer ControlStage::align(therapy::Mapping mapping) {
 Answer ControlStage::start() {
   if (!calibration_holds_) return Answer::kNotCalibrated;
   if (stopLatched()) return Answer::kStopLatched;
+  if (state_.servo.enabling_needed && state_.servo.enabling != control::EnablingPosition::kEnabled)
+    return Answer::kNotEnabled;
   if (!state_.target_fresh) return Answer::kTargetUnseen;
   if (!session_start_) {
     session_start_ = now_;

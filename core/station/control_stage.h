@@ -14,6 +14,7 @@
 #include "core/station/servo_digest.h"
 #include "core/station/snapshot.h"
 #include "core/station/station_settings.h"
+#include "core/station/stop_log.h"
 #include "core/station/tracking_stage.h"
 #include "core/therapy/movement_mapping.h"
 #include "core/tracking/motion_predictor.h"
@@ -37,12 +38,14 @@ class ControlStage {
 
   /// At every frame report, so that the robot learns of it at once, and a few times in between.
   void step(TimePoint now);
+  /// After the last step: what is still to be kept is handed to the recorder.
+  void end();
 
   LatestValue<ControlState> for_screen;  ///< taken by the screen's thread only
 
  private:
   void drainServo();
-  void noteStop();
+  void noteStop(const StopNews& news);
   void takeReports();
   void takeReport(const FrameReport& report);
   void endTeaching(const FrameReport& report);
@@ -94,7 +97,7 @@ class ControlStage {
   double target_radius_m_ = 0.0;
   std::optional<RigidTransform> X_BE_at_target_;  ///< end effector when the target was last seen
   std::optional<TimePoint> session_start_;
-  control::StopReason noted_stop_ = control::StopReason::kNone;
+  StopLog stops_;
   int teachings_ = 0;
 };
 

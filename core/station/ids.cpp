@@ -11,6 +11,8 @@ std::string_view id(Answer answer) {
       return "not_now";
     case Answer::kStopLatched:
       return "stop_latched";
+    case Answer::kNotEnabled:
+      return "not_enabled";
     case Answer::kTargetUnseen:
       return "target_unseen";
     case Answer::kNotCalibrated:

@@ -59,7 +59,10 @@ LockstepStation::LockstepStation(const Equipment& equipment, const StationSettin
                                  ManualTime& time)
     : body_(std::make_unique<Body>(equipment, settings, time)) {}
 
-LockstepStation::~LockstepStation() { body_->stages.recorder.step(); }
+LockstepStation::~LockstepStation() {
+  body_->stages.control.end();
+  body_->stages.recorder.step();
+}
 
 void LockstepStation::advanceTo(TimePoint time) { body_->advanceTo(time); }
 
@@ -68,6 +71,10 @@ Answer LockstepStation::request(const Command& command) { return body_->stages.c
 void LockstepStation::stop(control::StopReason reason) noexcept { body_->stages.servo.stop(reason); }
 
 void LockstepStation::resetStop() noexcept { body_->stages.servo.resetStop(); }
+
+void LockstepStation::setEnabling(control::EnablingPosition position) noexcept {
+  body_->stages.servo.setEnabling(position);
+}
 
 Snapshot LockstepStation::snapshot() { return body_->stages.snapshot(); }
 

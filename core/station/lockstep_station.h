@@ -24,6 +24,7 @@ class LockstepStation final : public StationPort {
   [[nodiscard]] Answer request(const Command& command) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
+  void setEnabling(control::EnablingPosition position) noexcept override;
   [[nodiscard]] Snapshot snapshot() override;
 
  private:

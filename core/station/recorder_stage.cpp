@@ -103,9 +103,7 @@ void RecorderStage::write(const Event& event) {
 
 void RecorderStage::write(const BlackBox& box) {
   if (settings_.black_box_folder.empty()) return;
-  const auto file =
-      settings_.black_box_folder / ("stop-" + isoUtcNow() + "-" + std::string(id(box.reason)) + ".csv");
-  const auto written = writeBlackBox(file, *box.states);
+  const auto written = writeBlackBox(blackBoxFile(settings_.black_box_folder, box.reason), *box.states);
   if (!written) log(LogLevel::kError, "records: " + written.error());
 }
 

@@ -11,11 +11,15 @@ robot::MotionLimits limitsFor(const StationSettings& settings, const robot::ArmD
   return *limits;
 }
 
+control::AssistSettings assistFor(const StationSettings& settings, const Equipment& equipment) {
+  return {equipment.X_FE.translation(), settings.force, settings.assist};
+}
+
 }  // namespace
 
 Stages::Stages(const Equipment& equipment, const StationSettings& settings)
     : limits(limitsFor(settings, equipment.arm)),
-      servo(equipment.arm, limits, *equipment.robot, settings.supervisor),
+      servo(equipment.arm, limits, *equipment.robot, settings.supervisor, assistFor(settings, equipment)),
       desk(robot::Planner(equipment.arm, equipment.attached, equipment.obstacles, settings.planner)),
       tracking(equipment.rig, settings),
       recorder(settings, limits, equipment.simulated),

@@ -64,6 +64,7 @@ struct Station::Body {
       report_came.waitFor(kControlPeriod);
       guarded([&] { stages.control.step(Clock::now()); });
     }
+    guarded([&] { stages.control.end(); });
   }
 
   void plan(const std::stop_token& stop) {
@@ -123,6 +124,10 @@ Answer Station::request(const Command& command) { return body_->stages.control.r
 void Station::stop(control::StopReason reason) noexcept { body_->stages.servo.stop(reason); }
 
 void Station::resetStop() noexcept { body_->stages.servo.resetStop(); }
+
+void Station::setEnabling(control::EnablingPosition position) noexcept {
+  body_->stages.servo.setEnabling(position);
+}
 
 Snapshot Station::snapshot() { return body_->stages.snapshot(); }
 

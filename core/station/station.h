@@ -21,6 +21,7 @@ class Station final : public StationPort {
   [[nodiscard]] Answer request(const Command& command) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
+  void setEnabling(control::EnablingPosition position) noexcept override;
   [[nodiscard]] Snapshot snapshot() override;
 
  private:

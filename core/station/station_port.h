@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/control/enabling_switch.h"
 #include "core/control/stop_reason.h"
 #include "core/station/command.h"
 #include "core/station/snapshot.h"
@@ -17,8 +18,12 @@ class StationPort {
 
   /// Brings the robot to rest, past every queue. Any thread, any time, as often as wanted.
   virtual void stop(control::StopReason reason) noexcept = 0;
-  /// Frees a latched stop; the session stays paused. Any thread.
+  /// Asks to free a latched stop; the session stays paused. The snapshot's `servo.reset` says why it is
+  /// refused. Any thread.
   virtual void resetStop() noexcept = 0;
+  /// Where the operator holds the enabling device: to be said again and again while he holds it, for silence
+  /// counts as released. Any thread.
+  virtual void setEnabling(control::EnablingPosition position) noexcept = 0;
 
   /// The newest of everything. One thread, the screen's.
   [[nodiscard]] virtual Snapshot snapshot() = 0;

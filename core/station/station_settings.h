@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "core/control/assist.h"
 #include "core/control/follower.h"
+#include "core/control/force_watch.h"
 #include "core/control/supervisor.h"
 #include "core/robot/planner.h"
 #include "core/tracking/teacher.h"
@@ -25,6 +27,8 @@ struct StationSettings {
   tracking::TeacherSettings teacher{.min_frames = 120};
   control::FollowerSettings follower;
   control::SupervisorSettings supervisor;
+  control::ForceSettings force;  ///< what the arm in the sling may feel
+  control::AssistPlan assist;    ///< heeded where the robot gives way to forces
   robot::PlannerSettings planner;
   std::string limits_profile = "therapy";
   Eigen::Vector3d midplane_normal_B = Eigen::Vector3d::UnitY();  ///< of the patient's body, for the mirror

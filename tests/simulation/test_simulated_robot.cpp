@@ -25,7 +25,7 @@ class SimulatedRobotTest : public ::testing::Test {
 
   ManualTime time_;
   robot::ArmDescription arm_ = *robot::readUrdf(std::filesystem::path(RESOURCES) / "robots/lbr4plus.urdf");
-  SimulatedRobot robot_{arm_, startAngles(), time_, 5};
+  SimulatedRobot robot_{arm_, startAngles(), time_, {.seed = 5}};
 };
 
 TEST_F(SimulatedRobotTest, RestsUntilItIsCommanded) {
@@ -114,6 +114,88 @@ TEST_F(SimulatedRobotTest, RemembersWhereItWas) {
   }
   for (const auto& state : states)
     EXPECT_LT((robot_.jointsAt(state.measured_at) - state.q_rad).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST_F(SimulatedRobotTest, BadLineLosesAndRepeatsAnswers) {
+  robot_.disturbLine({.lost_share = 0.2, .late_share = 0.3});
+  int lost = 0, late = 0;
+  TimePoint newest{};
+  for (int i = 0; i < 2000; ++i) {
+    time_.set(time_.now() + std::chrono::milliseconds(1));
+    const auto state = robot_.read();
+    if (!state) {
+      ++lost;
+      continue;
+    }
+    if (state->measured_at == newest) ++late;
+    newest = state->measured_at;
+  }
+  EXPECT_NEAR(lost, 400, 60);
+  EXPECT_NEAR(late, 600, 80);
+  robot_.disturbLine({});
+  const auto state = cycle();
+  EXPECT_EQ(state.measured_at, time_.now());
+}
+
+/// A soft robot with an arm in its sling; every command holds the start.
+class SoftRobotTest : public SimulatedRobotTest {
+ protected:
+  robot::RobotState hold(double seconds, double stiffness_nm_rad) {
+    robot::RobotCommand command{.q_rad = startAngles(), .compliance = {}};
+    command.compliance.joint_stiffness_nm_rad.setConstant(7, stiffness_nm_rad);
+    robot::RobotState state;
+    for (double t = 0.0; t < seconds; t += 0.001) {
+      time_.set(time_.now() + std::chrono::milliseconds(1));
+      state = *soft_.read();
+      EXPECT_TRUE(soft_.command(command));
+    }
+    return state;
+  }
+  [[nodiscard]] double sag(const robot::RobotState& state) const {
+    const auto place = [&](const robot::Joints& q) {
+      return Eigen::Vector3d(kinematics_.flange(q) * p_FE_F_);
+    };
+    return place(startAngles()).z() - place(state.q_rad).z();
+  }
+
+  Eigen::Vector3d p_FE_F_{0.0, 0.0, 0.135};
+  robot::Kinematics kinematics_{arm_};
+  SimulatedRobot soft_{arm_,
+                       startAngles(),
+                       time_,
+                       {.seed = 5, .gives_way = true, .load = SlingArm{.weight_n = 20.0}, .p_FE_F = p_FE_F_}};
+};
+
+TEST_F(SoftRobotTest, SagsUnderTheArmByItsSpringsAndComesToRest) {
+  const auto stiff = hold(2.0, 1000.0);
+  const double little = sag(stiff);
+  EXPECT_LT(stiff.v_rad_s.cwiseAbs().maxCoeff(), 1e-3);
+  const auto soft = hold(3.0, 200.0);
+  EXPECT_LT(soft.v_rad_s.cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_GT(little, 0.001);
+  EXPECT_GT(sag(soft), 4.0 * little) << "springs five times softer";
+  soft_.load()->setEffort(1.0);
+  EXPECT_LT(std::abs(sag(hold(3.0, 200.0))), 0.002) << "the patient carries his arm";
+}
+
+TEST_F(SoftRobotTest, TellsTheTorquesOfItsLoad) {
+  const auto state = hold(2.0, 1000.0);
+  robot::Joints spring = 1000.0 * (state.q_rad - startAngles());
+  EXPECT_LT((state.external_torque_nm - spring).cwiseAbs().maxCoeff(), 0.6) << "springs in balance";
+  soft_.load()->push({30.0, 0.0, 0.0});
+  EXPECT_GT((hold(1.0, 1000.0).external_torque_nm - spring).norm(), 5.0);
+}
+
+TEST_F(SoftRobotTest, StandsStillWhenItIsHalted) {
+  static_cast<void>(hold(1.0, 200.0));
+  soft_.halt();
+  const auto rest = soft_.read()->q_rad;
+  soft_.load()->push({0.0, 0.0, -80.0});
+  for (int i = 0; i < 100; ++i) {
+    time_.set(time_.now() + kCycle);
+    static_cast<void>(soft_.read());
+  }
+  EXPECT_LT((soft_.read()->q_rad - rest).cwiseAbs().maxCoeff(), 2e-4);
 }
 
 }  // namespace

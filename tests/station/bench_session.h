@@ -24,12 +24,12 @@ inline simulation::BenchSettings benchFor(const std::string& exercise, bool own_
 class BenchSession {
  public:
   explicit BenchSession(const ScriptSettings& script,
-                        const simulation::BenchSettings& bench = benchFor("reach")) {
+                        const simulation::BenchSettings& bench = benchFor("reach"),
+                        StationSettings settings = {}) {
     time_.set(TimePoint(std::chrono::seconds(1)));
     auto made = simulation::Bench::make(bench, time_);
     if (!made) throw std::runtime_error(describe(made.error()));
     bench_ = std::move(*made);
-    StationSettings settings;
     settings.store_file = folder_ / "store.sqlite";
     settings.black_box_folder = folder_.path();
     station_ = std::make_unique<LockstepStation>(equipmentOf(*bench_), settings, time_);

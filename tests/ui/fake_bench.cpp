@@ -195,6 +195,10 @@ void FakeStation::stop(control::StopReason reason) noexcept {
   if (shown.control.phase == therapy::Phase::kTraining) shown.control.phase = therapy::Phase::kPaused;
 }
 
+void FakeStation::setEnabling(control::EnablingPosition position) noexcept {
+  shown.control.servo.enabling = position;
+}
+
 void FakeStation::resetStop() noexcept {
   ++resets;
   shown.control.servo.stop = control::StopReason::kNone;

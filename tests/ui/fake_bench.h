@@ -19,6 +19,7 @@ class FakeStation final : public station::StationPort {
   [[nodiscard]] station::Answer request(const station::Command& command) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
+  void setEnabling(control::EnablingPosition position) noexcept override;
   [[nodiscard]] station::Snapshot snapshot() override;
 
   /// Goes on to `phase`, with a target once it is taught.

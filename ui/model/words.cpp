@@ -130,6 +130,8 @@ QString words(station::Answer answer) {
       return Words::tr("Not possible in this step");
     case station::Answer::kStopLatched:
       return Words::tr("Reset the stop first");
+    case station::Answer::kNotEnabled:
+      return Words::tr("Hold the enabling key, then start");
     case station::Answer::kTargetUnseen:
       return Words::tr("The arm target is not in view");
     case station::Answer::kNotCalibrated:

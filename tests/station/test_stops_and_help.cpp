@@ -1,0 +1,151 @@
+#include <algorithm>
+
+#include "bench_session.h"
+
+namespace mirrorarm::station {
+namespace {
+
+using control::EnablingPosition;
+using control::ResetRefusal;
+using control::StopReason;
+
+constexpr ScriptSettings kLong{.training = Seconds(60.0), .max_restarts = 0};
+
+std::size_t boxesIn(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(
+      std::count_if(std::filesystem::directory_iterator(folder), {},
+                    [](const auto& entry) { return entry.path().filename().string().starts_with("stop-"); }));
+}
+
+StationSettings withEnabling() {
+  StationSettings settings;
+  settings.supervisor.enabling_needed = true;
+  return settings;
+}
+
+/// Runs a session into its second second of training.
+void train(BenchSession& session, double seconds = 2.0) {
+  ASSERT_EQ(session.runUntil(
+                [&](const Snapshot& seen) { return isTraining(seen) && seen.control.session_s > seconds; }),
+            SessionScript::Progress::kRunning)
+      << session.script().failure();
+}
+
+/// The operator keeps the device where it is for so long.
+const Snapshot& hold(BenchSession& session, EnablingPosition position, double seconds) {
+  const Snapshot* seen = nullptr;
+  for (double t = 0.0; t < seconds; t += 0.05) {
+    session.station().setEnabling(position);
+    seen = &session.wait(Seconds(0.05));
+  }
+  return *seen;
+}
+
+}  // namespace
+
+TEST(Stops, AreResetOnlyAtRestAndWhenTheCauseIsGone) {
+  BenchSession session(kLong);
+  train(session);
+  session.bench().failCameras(true);
+  const auto& stopped = session.wait(Seconds(0.8));
+  EXPECT_EQ(stopped.control.servo.stop, StopReason::kCameraSilent);
+  EXPECT_EQ(stopped.control.servo.reset, ResetRefusal::kCausePersists);
+  EXPECT_EQ(stopped.control.servo.lasting, StopReason::kCameraSilent);
+  EXPECT_EQ(stopped.control.servo.category, control::StopCategory::kTwo);
+  session.station().resetStop();
+  const auto& later = session.wait(Seconds(0.5));
+  EXPECT_EQ(later.control.servo.stop, StopReason::kCameraSilent);
+  EXPECT_EQ(later.control.servo.category, control::StopCategory::kOne) << "silent for more than a second";
+  session.bench().failCameras(false);
+  EXPECT_EQ(session.wait(Seconds(0.3)).control.servo.reset, ResetRefusal::kNone);
+  session.station().resetStop();
+  EXPECT_EQ(session.wait(Seconds(0.1)).control.servo.stop, StopReason::kNone);
+}
+
+TEST(Stops, EachLeavesItsBlackBoxAlsoWithoutAStore) {
+  StationSettings settings;
+  BenchSession session(kLong, benchFor("reach"), settings);
+  session.wait(Seconds(0.5));  // no session, so no record either
+  for (int i = 0; i < 2; ++i) {
+    session.station().stop(StopReason::kOperator);
+    session.wait(Seconds(0.2));
+    session.station().resetStop();
+    session.wait(Seconds(0.2));
+  }
+  session.wait(Seconds(0.3));
+  EXPECT_EQ(boxesIn(session.folder()), 2U);
+}
+
+TEST(Enabling, IsNeededToStartAndWhileTheRobotFollows) {
+  BenchSession session(kLong, benchFor("reach"), withEnabling());
+  session.runUntil([](const Snapshot& seen) { return seen.control.phase == therapy::Phase::kAligned; });
+  hold(session, EnablingPosition::kReleased, 0.2);
+  ASSERT_EQ(session.station().request({therapy::Action::kStart}), Answer::kAccepted);
+  EXPECT_EQ(hold(session, EnablingPosition::kReleased, 0.2).control.last_answer, Answer::kNotEnabled);
+
+  hold(session, EnablingPosition::kEnabled, 0.2);
+  ASSERT_EQ(session.station().request({therapy::Action::kStart}), Answer::kAccepted);
+  EXPECT_TRUE(isTraining(hold(session, EnablingPosition::kEnabled, 1.0)));
+
+  const auto& fright = hold(session, EnablingPosition::kPressedThrough, 1.0);
+  EXPECT_EQ(fright.control.servo.stop, StopReason::kEnablingPressedThrough);
+  EXPECT_EQ(fright.control.servo.reset, ResetRefusal::kCausePersists);
+  EXPECT_EQ(fright.control.phase, therapy::Phase::kPaused);
+  EXPECT_EQ(hold(session, EnablingPosition::kReleased, 0.1).control.servo.reset, ResetRefusal::kNone);
+}
+
+TEST(Enabling, SilenceOfTheDeviceStops) {
+  BenchSession session(kLong, benchFor("reach"), withEnabling());
+  session.runUntil([](const Snapshot& seen) { return seen.control.phase == therapy::Phase::kAligned; });
+  hold(session, EnablingPosition::kEnabled, 0.2);
+  ASSERT_EQ(session.station().request({therapy::Action::kStart}), Answer::kAccepted);
+  ASSERT_TRUE(isTraining(hold(session, EnablingPosition::kEnabled, 0.5)));
+  EXPECT_EQ(session.wait(Seconds(0.4)).control.servo.stop, StopReason::kEnablingReleased);
+}
+
+TEST(Force, OfTheHangingArmIsShownAndTooMuchStops) {
+  BenchSession session(kLong);
+  train(session);
+  const auto& calm = session.wait(Seconds(0.5)).control.servo.assist.force;
+  ASSERT_TRUE(calm.known);
+  EXPECT_NEAR(calm.force_B_n.z(), -15.0, 5.0);
+  EXPECT_EQ(calm.level, control::ForceLevel::kCalm);
+  session.bench().pushSling({0.0, 60.0, 0.0});
+  EXPECT_GE(session.wait(Seconds(1.0)).control.servo.assist.force.level, control::ForceLevel::kWarning);
+  session.bench().pushSling({0.0, 120.0, 0.0});
+  const auto& stopped = session.wait(Seconds(1.0));
+  EXPECT_EQ(stopped.control.servo.stop, StopReason::kForce);
+  EXPECT_EQ(stopped.control.servo.reset, ResetRefusal::kCausePersists);
+  session.bench().pushSling(Eigen::Vector3d::Zero());
+  EXPECT_EQ(session.wait(Seconds(2.0)).control.servo.reset, ResetRefusal::kNone);
+}
+
+TEST(Help, FallsWhenThePatientCarriesHisArmAndComesBackWhenHeRelaxes) {
+  auto bench = benchFor("reach");
+  bench.robot_gives_way = true;
+  StationSettings settings;
+  settings.assist.adapts = true;
+  BenchSession session(kLong, bench, settings);
+  session.bench().setPatientEffort(1.0);
+  train(session, 12.0);
+  const auto& able = session.script().seen().control.servo;
+  EXPECT_EQ(able.stop, StopReason::kNone);
+  const double help_for_the_able = able.assist.level;
+  session.bench().setPatientEffort(0.0);
+  train(session, 24.0);
+  const double help_for_the_relaxed = session.script().seen().control.servo.assist.level;
+  EXPECT_GT(help_for_the_relaxed, help_for_the_able + 0.05);
+  EXPECT_LE(help_for_the_relaxed, 1.0);
+}
+
+TEST(Line, ThatLosesAMessageInTwentyIsBridged) {
+  BenchSession session(kLong);
+  train(session);
+  session.bench().disturbRobotLine({.lost_share = 0.05, .late_share = 0.05});
+  train(session, 5.0);
+  EXPECT_EQ(session.script().seen().control.servo.stop, StopReason::kNone);
+  session.bench().disturbRobotLine({.lost_share = 1.0});
+  EXPECT_EQ(session.wait(Seconds(0.5)).control.servo.stop, StopReason::kRobotSilent);
+}
+
+}  // namespace mirrorarm::station
