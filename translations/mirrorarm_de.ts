@@ -143,6 +143,30 @@
         <translation>Halt: interner Fehler</translation>
     </message>
     <message>
+        <source>Stopped: the line to the robot was too bad</source>
+        <translation>Halt: die Leitung zum Roboter war zu schlecht</translation>
+    </message>
+    <message>
+        <source>Stopped: the planning of the motion stood still</source>
+        <translation>Halt: die Bewegungsplanung stand still</translation>
+    </message>
+    <message>
+        <source>Stopped: the enabling key was let go</source>
+        <translation>Halt: der Zustimmtaster wurde losgelassen</translation>
+    </message>
+    <message>
+        <source>Stopped: the enabling key was pressed through</source>
+        <translation>Halt: der Zustimmtaster wurde durchgedrückt</translation>
+    </message>
+    <message>
+        <source>Stopped: the force at the sling became too large</source>
+        <translation>Halt: die Kraft an der Schlinge wurde zu groß</translation>
+    </message>
+    <message>
+        <source>The robot gave up its drives</source>
+        <translation>Der Roboter gab seine Antriebe ab</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>

@@ -15,13 +15,13 @@ std::vector<Tour::Stage> CalibrationTour::stages(const ui::CalibrationPresenter&
   const auto in = [&presenter](CalibrationPhase phase) {
     return [&presenter, phase] { return presenter.state().phase == phase && !presenter.state().stopped; };
   };
-  const auto stopped = [&presenter] { return presenter.state().stopped; };
+  const auto can_reset = [&presenter] { return presenter.state().can_reset; };
   const auto halfway = [&presenter] { return presenter.state().progress_percent >= 50; };
   const auto enough = [&presenter] { return presenter.state().primary == CalibrationAction::kSolve; };
   return {{in(CalibrationPhase::kIdle), Seconds(2.0), "1-choose", "beginButton"},
           {in(CalibrationPhase::kCapturing), Seconds(2.0), "2-capture", "drivingButton"},
           {in(CalibrationPhase::kCapturing), Seconds(4.0), "3-driving", "stopButton"},
-          {stopped, Seconds(1.0), "4-stopped", "resetStopButton", true},
+          {can_reset, Seconds(1.0), "4-stopped", "resetStopButton", true},
           {in(CalibrationPhase::kCapturing), Seconds(1.5), "", "drivingButton"},
           {halfway, Seconds(0.5), "5-halfway", "themeButton", false, kCapturing},
           {in(CalibrationPhase::kCapturing), Seconds(0.5), "6-dark", "themeButton"},

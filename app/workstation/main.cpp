@@ -47,6 +47,10 @@ void addWindowOptions(CLI::App& app, WorkstationOrder& order) {
   app.add_option("--seed", order.seed, "Of the simulated sensors' noise")
       ->type_name("N")
       ->capture_default_str();
+  app.add_flag("--enabling-key", order.enabling_key,
+               "Motion only while the enabling key, F11 or a pedal, is held");
+  app.add_flag("--help-as-needed", order.help_as_needed,
+               "The robot gives way and helps as much as is needed");
   app.add_flag("--dark", order.dark, "Begin with the dark theme");
   app.add_option("--size", order.size_px, "Width and height of the window [px]")->capture_default_str();
   app.add_option(

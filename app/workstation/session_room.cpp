@@ -21,6 +21,7 @@ simulation::BenchSettings benchSettings(const WorkstationOrder& order) {
   settings.motion = order.motion;
   settings.legs = station::legsOf(therapy::exerciseOf(order.exercise).value());
   settings.seed = order.seed;
+  settings.robot_gives_way = order.help_as_needed;
   return settings;
 }
 
@@ -31,6 +32,8 @@ station::StationSettings stationSettings(const WorkstationOrder& order) {
   settings.black_box_folder = store.parent_path();
   settings.exercise = order.motion.empty() ? order.exercise : order.motion.filename().string();
   settings.planner.seed = order.seed;
+  settings.supervisor.enabling_needed = order.enabling_key;
+  settings.assist.adapts = order.help_as_needed;
   return settings;
 }
 

@@ -15,6 +15,7 @@ std::vector<Tour::Stage> SessionTour::stages(const ui::SessionPresenter& session
     return [&session, phase] { return isIn(phase, session.state()); };
   };
   const auto stopped = [&session] { return session.state().stopped; };
+  const auto can_reset = [&session] { return session.state().can_reset; };
   const auto can_report = [&session] { return session.state().can_report; };
   return {{in(Phase::kPrepare), Seconds(2.5), "1-prepare", "teachButton"},
           {in(Phase::kTeaching), Seconds(3.0), "2-teach", "keepMarkersButton"},
@@ -24,7 +25,7 @@ std::vector<Tour::Stage> SessionTour::stages(const ui::SessionPresenter& session
           {in(Phase::kTraining), Seconds(1.5), "6-images", "imagesButton"},
           {in(Phase::kTraining), Seconds(1.0), "", "stopButton"},
           {stopped, Seconds(1.0), "7-stopped", "acknowledgeButton", true},
-          {stopped, Seconds(0.3), "", "resetStopButton", true},
+          {can_reset, Seconds(0.3), "", "resetStopButton", true},
           {in(Phase::kPaused), Seconds(0.5), "8-paused", "startButton"},
           {in(Phase::kTraining), Seconds(5.0), "", "themeButton"},
           {in(Phase::kTraining), Seconds(1.0), "9-dark", "themeButton"},
@@ -39,7 +40,7 @@ SessionTour::SessionTour(ui::MainWindow& window, std::filesystem::path folder)
 bool SessionTour::isInterrupted() {
   const auto& state = session_.state();
   if (state.stopped && !stage().stop_wanted) {
-    press("resetStopButton");
+    if (state.can_reset) press("resetStopButton");
     resuming_ = true;
   } else if (resuming_ && isIn(Phase::kPaused, state)) {
     press("startButton");

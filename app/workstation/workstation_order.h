@@ -18,6 +18,8 @@ struct WorkstationOrder {
   std::filesystem::path motion;  ///< a TRC file that moves the healthy arm; empty: `exercise`
   std::string exercise = "reach";
   std::uint64_t seed = 1;
+  bool enabling_key = false;    ///< motion only while the enabling key is held
+  bool help_as_needed = false;  ///< the robot gives way and adapts its help
   bool dark = false;
   std::array<int, 2> size_px{1600, 1000};  ///< width and height of the window
   std::filesystem::path tour;  ///< a folder: walk through what is opened and leave a picture of each step

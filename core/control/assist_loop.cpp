@@ -12,7 +12,8 @@ AssistLoop::AssistLoop(const AssistSettings& settings, robot::GivesWay gives_way
       gives_way_(gives_way),
       period_(period),
       watch_(settings.force) {
-  if (gives_way_ != robot::GivesWay::kNot) state_.level = std::clamp(plan_.level, 0.0, 1.0);
+  state_.gives_way = gives_way_ != robot::GivesWay::kNot;
+  if (state_.gives_way) state_.level = std::clamp(plan_.level, 0.0, 1.0);
 }
 
 robot::Jacobian AssistLoop::slingJacobian(const robot::Joints& q,

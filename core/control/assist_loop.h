@@ -17,8 +17,9 @@ struct AssistSettings {
 /// What it does.
 struct AssistState {
   ForceReading force;
-  double level = 1.0;    ///< of help, 0 to 1; stays 1 where the robot does not give way
-  double error_m = 0.0;  ///< of the sling, commanded to measured: what the springs give way
+  bool gives_way = false;  ///< else the robot holds its position, whatever the level
+  double level = 1.0;      ///< of help, 0 to 1
+  double error_m = 0.0;    ///< of the sling, commanded to measured: what the springs give way
 };
 
 /// Feels the force at the sling and sets the springs, once a servo cycle. Servo thread only; does not

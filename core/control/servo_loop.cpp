@@ -31,6 +31,13 @@ bool isUsable(const robot::RobotState& state, int joints) {
 
 double ageOf(TimePoint time, TimePoint now) { return time == TimePoint{} ? -1.0 : secondsBetween(time, now); }
 
+/// Springs that the patient's arm stretches are no following error.
+robot::MotionLimits limitsFor(const robot::RobotLink& link, robot::MotionLimits limits,
+                              const SupervisorSettings& settings) {
+  if (link.givesWay() != robot::GivesWay::kNot) limits.max_following_error_rad = settings.max_deflection_rad;
+  return limits;
+}
+
 /// A trajectory and the latch at the time it was handed over: it is good while the latch has not changed
 /// since.
 struct Order {
@@ -43,8 +50,8 @@ struct Order {
 struct ServoLoop::Body {
   Body(const robot::ArmDescription& arm, const robot::MotionLimits& profile, robot::RobotLink& robot_link,
        const SupervisorSettings& watched, const AssistSettings& helped, robot::Clearance kept)
-      : limits(profile),
-        braking(brakingLimits(profile)),
+      : limits(limitsFor(robot_link, profile, watched)),
+        braking(brakingLimits(limits)),
         link(robot_link),
         settings(watched),
         period(robot_link.period()),

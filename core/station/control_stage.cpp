@@ -58,7 +58,7 @@ void ControlStage::drainServo() {
 void ControlStage::noteStop(const StopNews& news) {
   if (news.box_due) recorder_.add(RecorderStage::BlackBox{digest_.blackBox(), news.reason});
   if (news.ended) recordEvent("stop_reset");
-  if (news.graver) recordEvent("stop.category_1");
+  if (news.graver) recordEvent("drives_off");
   if (!news.begun) return;
   const std::string event = "stop." + std::string(id(news.reason));
   log(LogLevel::kWarning, event);

@@ -192,6 +192,8 @@ station::Answer FakeStation::request(const station::Command& command) {
 void FakeStation::stop(control::StopReason reason) noexcept {
   ++stops;
   shown.control.servo.stop = reason;
+  shown.control.servo.category = control::categoryOf(reason);
+  shown.control.servo.reset = control::ResetRefusal::kNone;
   if (shown.control.phase == therapy::Phase::kTraining) shown.control.phase = therapy::Phase::kPaused;
 }
 
@@ -202,6 +204,8 @@ void FakeStation::setEnabling(control::EnablingPosition position) noexcept {
 void FakeStation::resetStop() noexcept {
   ++resets;
   shown.control.servo.stop = control::StopReason::kNone;
+  shown.control.servo.category = control::StopCategory::kNone;
+  shown.control.servo.reset = control::ResetRefusal::kNotStopped;
 }
 
 void FakeStation::enter(therapy::Phase phase) {

@@ -171,12 +171,16 @@ void FakeCalibration::obey(const station::CalibrationCommand& command) {
 void FakeCalibration::stop(control::StopReason reason) noexcept {
   ++stops;
   shown.servo.stop = reason;
+  shown.servo.category = control::categoryOf(reason);
+  shown.servo.reset = control::ResetRefusal::kNone;
   shown.driving = false;
 }
 
 void FakeCalibration::resetStop() noexcept {
   ++resets;
   shown.servo.stop = control::StopReason::kNone;
+  shown.servo.category = control::StopCategory::kNone;
+  shown.servo.reset = control::ResetRefusal::kNotStopped;
 }
 
 void FakeCalibration::see(const RigidTransform& X_CM, calibration::CaptureVerdict verdict) {

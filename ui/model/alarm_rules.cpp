@@ -34,6 +34,15 @@ void addRobot(const station::ControlState& control, TimePoint now, QVector<Condi
   found.push_back({QStringLiteral("robot"), Priority::kHigh, Alarm::tr("The robot does not answer")});
 }
 
+void addForce(const control::ForceReading& force, QVector<Condition>& found) {
+  if (force.level == control::ForceLevel::kWarning)
+    found.push_back(
+        {QStringLiteral("force.high"), Priority::kLow, Alarm::tr("The force at the sling is high")});
+  if (force.level == control::ForceLevel::kSoften)
+    found.push_back({QStringLiteral("force.limit"), Priority::kMedium,
+                     Alarm::tr("The force at the sling is near its limit")});
+}
+
 void addTraining(const station::ControlState& control, QVector<Condition>& found) {
   if (control.phase != therapy::Phase::kTraining) return;
   if (!control.target_fresh)
@@ -73,6 +82,7 @@ QVector<Condition> conditionsOf(const station::Snapshot& snapshot, TimePoint now
   addStop(snapshot.control, found);
   addCameras(snapshot, now, found);
   addRobot(snapshot.control, now, found);
+  addForce(snapshot.control.servo.assist.force, found);
   addTraining(snapshot.control, found);
   addRecord(snapshot.record, found);
   return found;

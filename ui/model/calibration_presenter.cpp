@@ -112,7 +112,8 @@ CalibrationState CalibrationPresenter::stateOf(const CalibrationSnapshot& snapsh
   next.title = std::move(guide.title);
   next.instruction = std::move(guide.instruction);
   next.primary = guide.primary;
-  next.message = message_;
+  next.can_reset = snapshot.servo.reset == control::ResetRefusal::kNone;
+  next.message = message_.isEmpty() ? whyNoReset(snapshot.servo) : message_;
   for (std::size_t i = 0; i < next.allowed.size(); ++i)
     next.allowed[i] = isAllowed(static_cast<CalibrationAction>(i), snapshot);
   next.automatic = snapshot.automatic;

@@ -29,7 +29,8 @@ struct CalibrationState {
   station::CalibrationJob job = station::CalibrationJob::kStereo;  ///< chosen, or going on
   bool can_choose = true;                                          ///< job, board and lens model
   bool stopped = false;                                            ///< a stop is latched
-  QString title;                                                   ///< of what to do now
+  bool can_reset = false;
+  QString title;  ///< of what to do now
   QString instruction;
   QString message;  ///< why the last wish was refused; empty when it was not
   std::optional<station::CalibrationAction> primary;    ///< the one thing to press

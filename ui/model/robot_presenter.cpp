@@ -20,11 +20,39 @@ QString degrees(double angle_rad) {
 }
 
 QString motionOf(const station::ControlState& control) {
-  if (control.servo.stop != control::StopReason::kNone) return RobotPresenter::tr("Stopped");
-  if (!control.servo.at_rest) return RobotPresenter::tr("Moving");
+  switch (control.servo.category) {
+    case control::StopCategory::kNone:
+      break;
+    case control::StopCategory::kTwo:
+      return RobotPresenter::tr("Stopped, drives on");
+    case control::StopCategory::kOne:
+      return RobotPresenter::tr("Stopped, drives off");
+  }
+  if (!control.servo.at_rest)
+    return control.servo.soft_start < 1.0 ? RobotPresenter::tr("Soft start") : RobotPresenter::tr("Moving");
   const bool holds =
       control.phase == therapy::Phase::kTraining && control.servo.permit == control::Permit::kHold;
   return holds ? RobotPresenter::tr("Holding") : RobotPresenter::tr("At rest");
+}
+
+/// Where a motion was refused that tells more than how it was found.
+QString wayOf(const station::ControlState& control) {
+  const auto refused = control.servo.refused;
+  const bool telling =
+      refused == control::MotionRefusal::kNotEnabled || refused == control::MotionRefusal::kStartElsewhere;
+  return telling ? words(refused) : words(control.follow);
+}
+
+void addHelp(const control::AssistState& assist, RobotFigures& figures) {
+  figures.force = QStringLiteral("–");
+  if (assist.force.known) {
+    figures.force = RobotPresenter::tr("%1 N").arg(assist.force.force_B_n.norm(), 0, 'f', 0);
+    figures.force_share = std::clamp(assist.force.limit_share, 0.0, 1.0);
+    figures.force_level = assist.force.level;
+  }
+  figures.help = assist.gives_way ? QStringLiteral("%1 %").arg(100.0 * assist.level, 0, 'f', 0)
+                                  : RobotPresenter::tr("stiff");
+  figures.help_share = assist.gives_way ? assist.level : 1.0;
 }
 
 }  // namespace
@@ -58,7 +86,8 @@ RobotFigures RobotPresenter::figuresOf(const station::Snapshot& snapshot, TimePo
   next.answers = measured.q_rad.size() == joints && now - measured.measured_at < kSilentAfter;
   next.at_rest = control.servo.at_rest;
   next.motion = next.answers ? motionOf(control) : tr("No answer");
-  next.way = words(control.follow);
+  next.way = wayOf(control);
+  addHelp(control.servo.assist, next);
   next.guard = words(control.servo.guard);
   const double lag_ms = snapshot.record.measures.lag_ms;
   next.lag = lag_ms > 0.0 ? tr("%1 ms").arg(lag_ms, 0, 'f', 0) : QStringLiteral("–");

@@ -32,6 +32,11 @@ struct RobotFigures {
   QString way;                    ///< how the last goal was reached
   QString guard;                  ///< which limit the last command met
   QString lag;
+  QString force;             ///< at the sling; a dash where the robot measures none
+  double force_share = 0.0;  ///< of what the plan allows, 0..1
+  control::ForceLevel force_level = control::ForceLevel::kCalm;
+  QString help;             ///< the level, or that the robot holds its position stiffly
+  double help_share = 0.0;  ///< 0..1
   bool operator==(const RobotFigures&) const = default;
 };
 

@@ -77,11 +77,13 @@ bool isAllowed(Action action, const SessionState& state) {
   return therapy::after(state.phase, action).has_value() && (!state.stopped || action == Action::kFinish);
 }
 
-void explainStop(control::StopReason reason, SessionState& state) {
+void explainStop(const control::ServoState& servo, SessionState& state) {
   state.stopped = true;
+  state.can_reset = servo.reset == control::ResetRefusal::kNone;
   state.primary.reset();
   state.title = SessionPresenter::tr("Stopped");
-  state.instruction = words(reason) + QStringLiteral(". ") + advice(reason);
+  state.instruction = words(servo.stop) + QStringLiteral(". ") + advice(servo.stop);
+  if (state.message.isEmpty()) state.message = whyNoReset(servo);
 }
 
 }  // namespace
@@ -137,7 +139,9 @@ SessionState SessionPresenter::stateOf(const station::Snapshot& snapshot) const 
   next.progress = progressOf(snapshot);
   next.message = message_;
   next.mapping = mapping_;
-  if (control.servo.stop != control::StopReason::kNone) explainStop(control.servo.stop, next);
+  next.enabling_needed = control.servo.enabling_needed;
+  next.enabling = control.servo.enabling;
+  if (control.servo.stop != control::StopReason::kNone) explainStop(control.servo, next);
   for (std::size_t i = 0; i < next.allowed.size(); ++i)
     next.allowed[i] = isAllowed(static_cast<Action>(i), next);
   next.can_choose_mapping = !next.stopped && control.phase == Phase::kTaught;  // aligning fixes it
@@ -178,6 +182,8 @@ void SessionPresenter::setMapping(therapy::Mapping mapping) {
 void SessionPresenter::stop() { port_.stop(control::StopReason::kOperator); }
 
 void SessionPresenter::resetStop() { port_.resetStop(); }
+
+void SessionPresenter::setEnabling(control::EnablingPosition position) { port_.setEnabling(position); }
 
 void SessionPresenter::publish(SessionState next) {
   if (next == state_) return;

@@ -23,10 +23,13 @@ struct SessionState {
   Step step = Step::kPrepare;
   therapy::Phase phase = therapy::Phase::kPrepare;
   bool stopped = false;  ///< a stop is latched
-  QString title;         ///< of what to do now
-  QString instruction;   ///< one or two sentences
-  QString progress;      ///< what has come so far; may be empty
-  QString message;       ///< why the last wish was refused; empty when it was not
+  bool can_reset = false;
+  bool enabling_needed = false;
+  control::EnablingPosition enabling = control::EnablingPosition::kReleased;
+  QString title;        ///< of what to do now
+  QString instruction;  ///< one or two sentences
+  QString progress;     ///< what has come so far; may be empty
+  QString message;      ///< why the last wish was refused; empty when it was not
   std::optional<therapy::Action>
       primary;                    ///< the one thing to press; nothing while stopped: then it is reset
   std::array<bool, 8> allowed{};  ///< by therapy::Action
@@ -57,6 +60,8 @@ class SessionPresenter : public QObject {
   /// Past every rule: always goes to the station.
   void stop();
   void resetStop();
+  /// Where the enabling key is held; to be said again and again, see station::StationPort.
+  void setEnabling(control::EnablingPosition position);
 
  signals:
   void stateChanged(const mirrorarm::ui::SessionState& state);

@@ -76,6 +76,45 @@ QString advice(control::StopReason reason) {
   return {};
 }
 
+QString whyNoReset(const control::ServoState& servo) {
+  switch (servo.reset) {
+    case control::ResetRefusal::kNone:
+    case control::ResetRefusal::kNotStopped:
+      return {};
+    case control::ResetRefusal::kMoving:
+      return Words::tr("The stop can be reset once the robot is at rest");
+    case control::ResetRefusal::kCausePersists:
+      return Words::tr("The stop cannot be reset yet: %1").arg(words(servo.lasting));
+  }
+  return {};
+}
+
+QString words(control::EnablingPosition position) {
+  switch (position) {
+    case control::EnablingPosition::kReleased:
+      return Words::tr("Released");
+    case control::EnablingPosition::kEnabled:
+      return Words::tr("Enabled");
+    case control::EnablingPosition::kPressedThrough:
+      return Words::tr("Pressed through");
+  }
+  return {};
+}
+
+QString words(control::MotionRefusal refusal) {
+  switch (refusal) {
+    case control::MotionRefusal::kNone:
+      return Words::tr("Accepted");
+    case control::MotionRefusal::kStopped:
+      return Words::tr("Stopped");
+    case control::MotionRefusal::kNotEnabled:
+      return Words::tr("Not enabled");
+    case control::MotionRefusal::kStartElsewhere:
+      return Words::tr("Begins elsewhere");
+  }
+  return {};
+}
+
 QString words(control::FollowOutcome outcome) {
   switch (outcome) {
     case control::FollowOutcome::kDirect:

@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "core/control/follower.h"
-#include "core/control/stop_reason.h"
+#include "core/control/servo_state.h"
 #include "core/robot/motion_guard.h"
 #include "core/station/command.h"
 #include "core/station/snapshot.h"
@@ -17,6 +17,8 @@ namespace mirrorarm::ui {
 // The words that people read for the values that core names by ids. Translated; whole phrases, no full stop.
 
 [[nodiscard]] QString words(control::StopReason reason);
+[[nodiscard]] QString words(control::EnablingPosition position);
+[[nodiscard]] QString words(control::MotionRefusal refusal);
 [[nodiscard]] QString words(control::FollowOutcome outcome);
 [[nodiscard]] QString words(robot::GuardAction action);
 [[nodiscard]] QString words(station::Answer answer);
@@ -32,6 +34,8 @@ namespace mirrorarm::ui {
 
 /// What the operator should do about a stop, one sentence.
 [[nodiscard]] QString advice(control::StopReason reason);
+/// Why a stop cannot be reset now; empty when it can.
+[[nodiscard]] QString whyNoReset(const control::ServoState& servo);
 /// What the operator should do about the light, a phrase.
 [[nodiscard]] QString advice(vision::ExposureWarning warning);
 

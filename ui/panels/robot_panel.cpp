@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QVBoxLayout>
 
+#include "ui/panels/help_bars.h"
 #include "ui/panels/joint_bars.h"
 #include "ui/panels/text.h"
 
@@ -16,6 +17,7 @@ constexpr int kMotion_px = 130;  // for the longest of its words
 RobotPanel::RobotPanel(QWidget* parent)
     : QWidget(parent),
       motion_(makeText("status")),
+      help_(new HelpBars),
       joints_(new JointBars),
       tool_speed_(new Figure(tr("Tool speed"))),
       lag_(new Figure(tr("Delay"))),
@@ -43,13 +45,18 @@ RobotPanel::RobotPanel(QWidget* parent)
   grid->addWidget(guard_, 1, 1);
   for (int i = 0; i < 2; ++i) grid->setColumnStretch(i, 1);
   inside->addLayout(grid);
+  inside->addWidget(help_);
   inside->addWidget(joints_);
 }
 
-void RobotPanel::setTheme(const Theme& theme) { joints_->setTheme(theme); }
+void RobotPanel::setTheme(const Theme& theme) {
+  help_->setTheme(theme);
+  joints_->setTheme(theme);
+}
 
 void RobotPanel::show(const RobotFigures& figures) {
   motion_->setText(figures.motion);
+  help_->setFigures(figures);
   joints_->setJoints(figures.joints);
   tool_speed_->setValue(tr("%1 mm/s").arg(figures.tool_speed_m_s * 1e3, 0, 'f', 0));
   lag_->setValue(figures.lag);

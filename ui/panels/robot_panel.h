@@ -8,6 +8,7 @@
 namespace mirrorarm::ui {
 
 class Figure;
+class HelpBars;
 class JointBars;
 
 /// What the robot does, against what it may do.
@@ -21,6 +22,7 @@ class RobotPanel : public QWidget {
 
  private:
   QLabel* motion_;
+  HelpBars* help_;
   JointBars* joints_;
   Figure* tool_speed_;
   Figure* lag_;

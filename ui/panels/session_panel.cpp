@@ -4,6 +4,7 @@
 
 #include "ui/model/words.h"
 #include "ui/panels/action_button.h"
+#include "ui/panels/enabling_button.h"
 #include "ui/panels/report_box.h"
 #include "ui/panels/text.h"
 
@@ -51,6 +52,7 @@ SessionPanel::SessionPanel(SessionPresenter& presenter, ReportJob& report, QWidg
       mapping_(new QWidget),
       reset_(
           new ActionButton(QStringLiteral("resetStopButton"), tr("Reset stop"), QKeySequence(Qt::Key_F12))),
+      enabling_(new EnablingButton),
       report_(new ReportBox(report)) {
   setObjectName(QStringLiteral("sessionPanel"));
   auto* column = new QVBoxLayout(this);
@@ -64,10 +66,12 @@ SessionPanel::SessionPanel(SessionPresenter& presenter, ReportJob& report, QWidg
   addMapping(*inside);
   reset_->setPrimary(true);
   inside->addWidget(reset_);
+  inside->addWidget(enabling_);
   inside->addWidget(report_);
   addActions(*inside);
   inside->addWidget(message_);
   inside->addStretch();
+  connect(enabling_, &EnablingButton::said, &presenter_, &SessionPresenter::setEnabling);
   connect(reset_, &QPushButton::clicked, &presenter_, &SessionPresenter::resetStop);
   connect(&presenter_, &SessionPresenter::stateChanged, this, &SessionPanel::draw);
   draw(presenter_.state());
@@ -111,6 +115,9 @@ void SessionPanel::draw(const SessionState& state) {
   for (std::size_t i = 0; i < mappings_.size(); ++i)
     mappings_[i]->setChecked(i == static_cast<std::size_t>(state.mapping));
   reset_->setVisible(state.stopped);
+  reset_->setEnabled(state.can_reset);
+  enabling_->setVisible(state.enabling_needed);
+  enabling_->show(state.enabling);
   report_->setVisible(state.step == Step::kReport && !state.stopped);
   report_->setSession(state.session, state.can_report);
   drawActions(state);

@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace mirrorarm::ui {
 
 class ActionButton;
+class EnablingButton;
 class ReportBox;
 class ReportJob;
 
@@ -44,6 +45,7 @@ class SessionPanel : public QWidget {
   std::array<QRadioButton*, 2> mappings_{};
   std::array<ActionButton*, kActionCount> actions_{};
   ActionButton* reset_;
+  EnablingButton* enabling_;
   ReportBox* report_;
 };
 

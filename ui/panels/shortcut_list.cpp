@@ -20,9 +20,12 @@ ShortcutList::ShortcutList(QWidget& window) : QDialog(&window) {
     grid->addWidget(new QLabel(what), row, 1);
   };
   add(tr("Esc"), tr("STOP"));
-  for (const auto* button : window.findChildren<QAbstractButton*>())
+  for (const auto* button : window.findChildren<QAbstractButton*>()) {
+    const QString held = button->isVisible() ? button->property("heldKey").toString() : QString();
+    if (!held.isEmpty()) add(held, button->accessibleName());
     if (!button->shortcut().isEmpty())
       add(button->shortcut().toString(QKeySequence::NativeText), button->accessibleName());
+  }
 }
 
 }  // namespace mirrorarm::ui

@@ -71,20 +71,27 @@ QString sideWords(const std::string& id) {
 }
 
 QString eventWords(const std::string& id) {
-  return lookedUp({{"aligned", Report::tr("Reference frame set")},
-                   {"started", Report::tr("Training started")},
-                   {"paused", Report::tr("Paused")},
-                   {"finished", Report::tr("Finished")},
-                   {"stop_reset", Report::tr("Stop reset")},
-                   {"stop.operator", Report::tr("Stopped: STOP was pressed")},
-                   {"stop.camera_silent", Report::tr("Stopped: the cameras delivered no images")},
-                   {"stop.target_lost", Report::tr("Stopped: the arm was out of sight")},
-                   {"stop.robot_silent", Report::tr("Stopped: the robot did not answer")},
-                   {"stop.robot_fault", Report::tr("Stopped: the robot reported a fault")},
-                   {"stop.servo_late", Report::tr("Stopped: the motion loop missed its beat")},
-                   {"stop.following_error", Report::tr("Stopped: the robot was not where it was told to be")},
-                   {"stop.internal", Report::tr("Stopped: internal error")}},
-                  id);
+  return lookedUp(
+      {{"aligned", Report::tr("Reference frame set")},
+       {"started", Report::tr("Training started")},
+       {"paused", Report::tr("Paused")},
+       {"finished", Report::tr("Finished")},
+       {"stop_reset", Report::tr("Stop reset")},
+       {"stop.operator", Report::tr("Stopped: STOP was pressed")},
+       {"stop.camera_silent", Report::tr("Stopped: the cameras delivered no images")},
+       {"stop.target_lost", Report::tr("Stopped: the arm was out of sight")},
+       {"stop.robot_silent", Report::tr("Stopped: the robot did not answer")},
+       {"stop.robot_fault", Report::tr("Stopped: the robot reported a fault")},
+       {"stop.servo_late", Report::tr("Stopped: the motion loop missed its beat")},
+       {"stop.following_error", Report::tr("Stopped: the robot was not where it was told to be")},
+       {"stop.internal", Report::tr("Stopped: internal error")},
+       {"stop.poor_line", Report::tr("Stopped: the line to the robot was too bad")},
+       {"stop.planner_silent", Report::tr("Stopped: the planning of the motion stood still")},
+       {"stop.enabling_released", Report::tr("Stopped: the enabling key was let go")},
+       {"stop.enabling_pressed_through", Report::tr("Stopped: the enabling key was pressed through")},
+       {"stop.force", Report::tr("Stopped: the force at the sling became too large")},
+       {"drives_off", Report::tr("The robot gave up its drives")}},
+      id);
 }
 
 QString clockTime(double seconds) {

@@ -119,6 +119,7 @@ void GuidePanel::draw(const CalibrationState& state) {
   lights_->show(state.lights);
   residuals_->setVisible(state.step == CalibrationStep::kResult);
   reset_->setVisible(state.stopped);
+  reset_->setEnabled(state.can_reset);
   drawActions(state);
   moveFocus(state);
 }

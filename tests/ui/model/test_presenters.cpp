@@ -77,6 +77,50 @@ TEST_F(Presenters, AStopLeavesItsResetAndTheEndOfTheSession) {
   EXPECT_EQ(session_.state().phase, Phase::kPaused) << "a reset starts nothing";
 }
 
+TEST_F(Presenters, AResetThatIsRefusedSaysWhy) {
+  session_.stop();
+  station_.shown.control.servo.reset = control::ResetRefusal::kMoving;
+  beat();
+  EXPECT_FALSE(session_.state().can_reset);
+  EXPECT_FALSE(session_.state().message.isEmpty());
+  station_.shown.control.servo.reset = control::ResetRefusal::kCausePersists;
+  station_.shown.control.servo.lasting = control::StopReason::kCameraSilent;
+  beat();
+  EXPECT_TRUE(session_.state().message.contains(words(control::StopReason::kCameraSilent)));
+  station_.shown.control.servo.reset = control::ResetRefusal::kNone;
+  beat();
+  EXPECT_TRUE(session_.state().can_reset);
+  EXPECT_TRUE(session_.state().message.isEmpty());
+}
+
+TEST_F(Presenters, TheEnablingKeyReachesTheStationAndComesBackAsItCounts) {
+  station_.shown.control.servo.enabling_needed = true;
+  session_.setEnabling(control::EnablingPosition::kEnabled);
+  beat();
+  EXPECT_TRUE(session_.state().enabling_needed);
+  EXPECT_EQ(session_.state().enabling, control::EnablingPosition::kEnabled);
+}
+
+TEST_F(Presenters, ForceHelpAndTheKindOfStopAreShown) {
+  const auto figures = [&] {
+    RobotPresenter robot(workplace_);
+    robot.show(station_.snapshot(), Clock::now());
+    return robot.figures();
+  };
+  EXPECT_EQ(figures().force, QStringLiteral("–")) << "a robot without torque sensors";
+  auto& assist = station_.shown.control.servo.assist;
+  assist.force = {true, {0.0, 0.0, -48.0}, 0.6, control::ForceLevel::kWarning};
+  assist.gives_way = true;
+  assist.level = 0.4;
+  EXPECT_EQ(figures().force, QStringLiteral("48 N"));
+  EXPECT_EQ(figures().help, QStringLiteral("40 %"));
+  EXPECT_DOUBLE_EQ(figures().force_share, 0.6);
+  station_.stop(control::StopReason::kOperator);
+  const QString held = figures().motion;
+  station_.stop(control::StopReason::kRobotSilent);
+  EXPECT_NE(figures().motion, held) << "drives on, drives off";
+}
+
 TEST_F(Presenters, TheChosenMappingGoesWithAligning) {
   station_.enter(Phase::kTaught);
   beat();
@@ -164,7 +208,7 @@ TEST_F(Presenters, TheJournalWritesChangesOnce) {
 }
 
 TEST(Words, EveryReasonHasSome) {
-  for (int i = 0; i <= static_cast<int>(control::StopReason::kInternal); ++i) {
+  for (int i = 0; i < control::kStopReasonCount; ++i) {
     EXPECT_FALSE(words(static_cast<control::StopReason>(i)).isEmpty());
     if (i > 0) {
       EXPECT_FALSE(advice(static_cast<control::StopReason>(i)).isEmpty());

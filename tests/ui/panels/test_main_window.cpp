@@ -99,6 +99,42 @@ TEST_F(Window, ALatchedStopOffersItsResetAndNothingThatMoves) {
   EXPECT_TRUE(find("startButton")->isVisible());
 }
 
+TEST_F(Window, AStopThatCannotBeResetYetKeepsItsButtonFromBeingPressed) {
+  enter(Phase::kTraining);
+  QTest::mouseClick(find("stopButton"), Qt::LeftButton);
+  station_.shown.control.servo.reset = control::ResetRefusal::kMoving;
+  beat();
+  EXPECT_TRUE(find("resetStopButton")->isVisible());
+  EXPECT_FALSE(find("resetStopButton")->isEnabled());
+  EXPECT_FALSE(find<QLabel>("stepMessage")->text().isEmpty());
+  keep(QStringLiteral("stopped-moving.png"));
+}
+
+TEST_F(Window, TheEnablingKeyHasThreePositionsAndIsReleasedWithTheWindow) {
+  using control::EnablingPosition;
+  EXPECT_FALSE(find("enablingButton")->isVisible()) << "not needed";
+  station_.shown.control.servo.enabling_needed = true;
+  enter(Phase::kAligned);
+  ASSERT_TRUE(find("enablingButton")->isVisible());
+  keep(QStringLiteral("enabling.png"));
+  const auto& position = station_.shown.control.servo.enabling;
+  auto* scene = find<QWidget>("sceneView");
+  QTest::keyPress(scene, Qt::Key_F11);
+  EXPECT_EQ(position, EnablingPosition::kEnabled) << "wherever the focus is";
+  beat();
+  keep(QStringLiteral("enabled.png"));
+  QTest::keyPress(scene, Qt::Key_Pause);
+  EXPECT_EQ(position, EnablingPosition::kPressedThrough);
+  QTest::keyRelease(scene, Qt::Key_Pause);
+  QTest::keyRelease(scene, Qt::Key_F11);
+  EXPECT_EQ(position, EnablingPosition::kReleased);
+  QTest::mousePress(find("enablingButton"), Qt::LeftButton);
+  EXPECT_EQ(position, EnablingPosition::kEnabled);
+  QEvent left(QEvent::WindowDeactivate);
+  QCoreApplication::sendEvent(&window_, &left);
+  EXPECT_EQ(position, EnablingPosition::kReleased);
+}
+
 TEST_F(Window, TheButtonsLeadThroughASession) {
   for (const char* name :
        {"teachButton", "keepMarkersButton", "alignButton", "startButton", "pauseButton", "finishButton"}) {
@@ -131,6 +167,7 @@ TEST_F(Window, EverythingThatCanBeOperatedHasANameAndAKey) {
     EXPECT_FALSE(names.contains(button->objectName())) << button->objectName().toStdString();
     names.insert(button->objectName());
     if (button->objectName() == QStringLiteral("stopButton")) continue;  // Esc, by its own filter
+    if (!button->property("heldKey").toString().isEmpty()) continue;     // held, which no shortcut can be
     const QString key = button->shortcut().toString();
     EXPECT_FALSE(key.isEmpty()) << button->objectName().toStdString();
     EXPECT_FALSE(keys.contains(key)) << key.toStdString();
