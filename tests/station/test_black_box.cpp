@@ -28,7 +28,7 @@ ServoState fullState(int i) {
   robot::Joints values = robot::Joints::Constant(7, 0.1234567890123 * (1 + i));
   state.measured.q_rad = state.measured.v_rad_s = state.measured.external_torque_nm = values;
   state.commanded = {values, values, values};
-  state.sent = {values, values};
+  state.sent = {values, values, values};
   return state;
 }
 

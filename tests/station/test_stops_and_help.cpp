@@ -59,7 +59,8 @@ TEST(Stops, AreResetOnlyAtRestAndWhenTheCauseIsGone) {
   session.bench().failCameras(false);
   EXPECT_EQ(session.wait(Seconds(0.3)).control.servo.reset, ResetRefusal::kNone);
   session.station().resetStop();
-  EXPECT_EQ(session.wait(Seconds(0.1)).control.servo.stop, StopReason::kNone);
+  EXPECT_EQ(session.wait(Seconds(0.3)).control.servo.stop, StopReason::kNone);
+  EXPECT_EQ(boxesIn(session.folder()), 1U) << "a hold that became a stop is a stop";
 }
 
 TEST(Stops, EachLeavesItsBlackBoxAlsoWithoutAStore) {
