@@ -89,7 +89,7 @@ struct Bench::Body {
         surroundings(std::move(parts.surroundings)),
         motion(std::move(parts.motion)),
         kinematics(std::move(forward)),
-        robot(arm, parts.start, time_source, robotSettings(settings, X_FE)),
+        robot(arm, parts.start, time_source, robotSettings(settings, hand.X_FE)),
         cameras(
             rig, {}, {},
             {settings.rate_hz, settings.exposure, settings.transfer, settings.own_pace,
