@@ -5,6 +5,7 @@
 
 #include "ui/model/calibration_guide.h"
 #include "ui/model/calibration_words.h"
+#include "ui/model/words.h"
 
 namespace mirrorarm::ui {
 namespace {

@@ -121,6 +121,8 @@ QString words(control::FollowOutcome outcome) {
       return Words::tr("Direct way");
     case control::FollowOutcome::kPlanned:
       return Words::tr("Planned detour");
+    case control::FollowOutcome::kPlanning:
+      return Words::tr("Planning a detour");
     case control::FollowOutcome::kHeld:
       return Words::tr("Holding");
     case control::FollowOutcome::kOutOfReach:
