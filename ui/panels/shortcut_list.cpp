@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QGridLayout>
+#include <QVariant>
 
 #include "ui/panels/text.h"
 
