@@ -34,11 +34,12 @@ void addEndurance(Run& run) {
       {"",
        "answers missed in " + shortNumber(minutes) + " minutes at 1 ms, the servo loop in motion",
        "0 by our fault",
-       {{"ours", number(result.missed.ours), ""},
+       {{"ours, unanswered", number(result.missed.unanswered), ""},
+        {"ours, computed too long", number(result.missed.computed), ""},
         {"the machine's", number(result.missed.machine), ""},
         {"cycles", number(result.cycles), ""}},
        {{"beats the controller's thread slept through", number(result.skipped_beats), ""}},
-       result.missed.ours == 0 && result.travelled_rad > 0.0});
+       result.missed.ours() == 0 && result.travelled_rad > 0.0});
   auto delays = spread("answer", result.answer_delay_us);
   for (auto& figure : spread("computing", result.computing_us)) delays.push_back(figure);
   run.report.rows.push_back({"",

@@ -157,10 +157,9 @@ class ServoSide {
   bool away_ = false;
 };
 
-/// Ours when our thread did not answer though it had the datagram, or computed for long while every core was
-/// ours. (The processor time of a thread also counts what the hypervisor takes away meanwhile.)
-bool isOurs(const Handled& cycle, bool has_it, const PauseWitness& witness) {
-  if (has_it && !cycle.answered) return true;
+/// Whether our thread computed for long while every core was ours. (The processor time of a thread also
+/// counts what the hypervisor takes away meanwhile.)
+bool computedLong(const Handled& cycle, const PauseWitness& witness) {
   return cycle.computing_us > kTooLong_us && !witness.sawPause(cycle.at - kBefore, cycle.at + kAfter);
 }
 
@@ -172,9 +171,13 @@ MissedAnswers attribute(const std::vector<std::uint64_t>& missed, const std::vec
     const auto at = std::lower_bound(handled.begin(), handled.end(), number,
                                      [](const Handled& each, std::uint64_t n) { return each.number < n; });
     // Where it was overtaken by later ones, or the cycle before was still busy, those count.
-    const bool ours = (at != handled.end() && isOurs(*at, at->number == number, witness)) ||
-                      (at != handled.begin() && isOurs(*std::prev(at), false, witness));
-    ++(ours ? result.ours : result.machine);
+    if (at != handled.end() && at->number == number && !at->answered)
+      ++result.unanswered;
+    else if ((at != handled.end() && computedLong(*at, witness)) ||
+             (at != handled.begin() && computedLong(*std::prev(at), witness)))
+      ++result.computed;
+    else
+      ++result.machine;
   }
   return result;
 }

@@ -13,7 +13,9 @@ namespace mirrorarm::benchmarks::robot {
 
 /// Why the controller had no answer to a datagram before the next was due.
 struct MissedAnswers {
-  std::uint64_t ours = 0;     ///< our thread ran and computed too long, or answered nothing
+  std::uint64_t unanswered = 0;  ///< ours: our thread had the datagram and answered nothing
+  std::uint64_t computed = 0;    ///< ours: our thread ran and computed too long
+  [[nodiscard]] std::uint64_t ours() const { return unanswered + computed; }
   std::uint64_t machine = 0;  ///< our thread, or the controller's, was not running
 };
 
