@@ -13,7 +13,8 @@ set(allowed_simulation "common|geometry|camera|robot")
 set(allowed_devices "common|geometry|camera|robot")
 set(allowed_peers "common|geometry|robot|simulation|devices")
 set(allowed_records "common|geometry|camera|vision|tracking|robot|therapy")
-set(allowed_experiments "common|geometry|camera|vision|tracking|robot|calibration|simulation")
+set(allowed_experiments
+    "common|geometry|camera|vision|tracking|robot|calibration|therapy|control|simulation|devices|records|station")
 set(allowed_station
     "common|geometry|camera|vision|tracking|robot|calibration|therapy|control|simulation|devices|records")
 

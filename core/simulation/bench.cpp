@@ -33,15 +33,17 @@ class SharedKinematics {
 };
 
 /// None where a plate stands in place of the patient.
-FromFile<std::unique_ptr<ArmMotion>> makeMotion(const BenchSettings& settings, const camera::StereoRig& rig) {
-  if (settings.plate) return std::unique_ptr<ArmMotion>();
+FromFile<std::shared_ptr<const ArmMotion>> makeMotion(const BenchSettings& settings,
+                                                      const camera::StereoRig& rig) {
+  if (settings.plate) return std::shared_ptr<const ArmMotion>();
+  if (settings.held) return settings.held;
   const RigidTransform X_BC = bench_layout::startX_BC();
   const RigidTransform X_BA = X_BC * bench_layout::startX_CA();
-  if (settings.motion.empty()) return std::make_unique<ExerciseMotion>(X_BA, settings.legs);
+  if (settings.motion.empty()) return std::make_shared<ExerciseMotion>(X_BA, settings.legs);
   auto recorded = RecordedMotion::read(settings.motion, X_BA,
                                        {X_BC.translation(), (X_BC * rig.X_RC.inverse()).translation()});
   if (!recorded) return unexpected(recorded.error());
-  return std::make_unique<RecordedMotion>(std::move(*recorded));
+  return std::make_shared<RecordedMotion>(std::move(*recorded));
 }
 
 SimulatedRobotSettings robotSettings(const BenchSettings& settings, const RigidTransform& X_FE) {
@@ -63,7 +65,7 @@ struct Bench::Body {
   std::vector<robot::Capsule> attached;
   std::vector<robot::Obstacle> surroundings;
   std::vector<Patch> clutter_B = bench_layout::clutter();
-  std::unique_ptr<ArmMotion> motion;  ///< none where a plate stands
+  std::shared_ptr<const ArmMotion> motion;  ///< none where a plate stands
   std::vector<Patch> plate_B;
   SharedKinematics kinematics;
   SimulatedRobot robot;
@@ -77,7 +79,7 @@ struct Bench::Body {
     robot::ArmDescription arm;
     robot::Hand hand;
     std::vector<robot::Obstacle> surroundings;
-    std::unique_ptr<ArmMotion> motion;
+    std::shared_ptr<const ArmMotion> motion;
     robot::Joints start;
   };
   Body(Parts parts, robot::Kinematics forward, const BenchSettings& settings, const TimeSource& time_source)

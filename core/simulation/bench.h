@@ -39,9 +39,10 @@ struct Plate {
 struct BenchSettings {
   std::filesystem::path resources;  ///< the project's resources folder
   camera::LensModel lens = camera::LensModel::kKannalaBrandt;
-  std::filesystem::path motion;      ///< a TRC file whose forearm markers carry the discs; empty: `legs`
-  std::vector<MinimumJerkLeg> legs;  ///< used without `motion`
-  std::optional<Plate> plate;        ///< stands there in place of the patient
+  std::filesystem::path motion;           ///< a TRC file whose forearm markers carry the discs; empty: `legs`
+  std::vector<MinimumJerkLeg> legs;       ///< used without `motion`
+  std::shared_ptr<const ArmMotion> held;  ///< carries the discs in place of the forearm; empty: the forearm
+  std::optional<Plate> plate;             ///< stands there in place of the patient
   double rate_hz = 24.0;
   Seconds exposure{0.0015};
   Seconds transfer{0.020};          ///< from the end of the exposure until the frame is handed out

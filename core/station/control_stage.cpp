@@ -228,11 +228,13 @@ void ControlStage::follow() {
   const auto& servo = state_.servo;
   if (answer) obey(follower_.take(*answer, servo.commanded, servo.time));
   if (!moved_on || !target_motion_.isKnown()) return;
+  const TimePoint begun = Clock::now();
   const auto kept =
       gaze_.keep(goalAt(servo.time + toClock(handover_ + arm_delay_.value())),
                  follower_.X_BE(servo.commanded.q_rad), {state_.X_BT.translation(), target_radius_m_});
   state_.gaze_kept = kept.shortened;
   obey(follower_.step(kept.goal, servo.commanded, servo.time));
+  state_.follow_ms = 1e3 * secondsBetween(begun, Clock::now());
 }
 
 void ControlStage::obey(const control::FollowStep& step) {

@@ -44,6 +44,7 @@ struct ControlState {
   std::optional<robot::Contact>
       contact;               ///< what stands in the way, where following is blocked and it is known
   bool gaze_kept = false;    ///< the goal would have lost the target: the arm stays behind it
+  double follow_ms = 0.0;    ///< that the newest goal took, from the target's pose to a checked motion
   double arm_delay_s = 0.0;  ///< by which the arm trails its commands, as measured; 0 before it moved
   RigidTransform X_BF = RigidTransform::Identity();       ///< flange, measured
   RigidTransform X_BT = RigidTransform::Identity();       ///< target in base, good while `target_fresh`

@@ -1,0 +1,115 @@
+#include "core/experiments/latency.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace mirrorarm::experiments {
+namespace {
+
+constexpr double kOnset_m = 0.001, kHalfWay_m = 0.050;
+constexpr double kAfter_s = 1.0;  // recorded after the last move
+constexpr double kSwing_hz = 0.3, kSwing_m = 0.050, kSwingIn_s = 4.0;
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::ranges::sort(values);
+  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size() - 1)))];
+}
+
+LatencyStatistics statisticsOf(const std::vector<MoveLatency>& moves, double MoveLatency::*which) {
+  std::vector<double> values;
+  for (const MoveLatency& move : moves) values.push_back(move.*which);
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {sum / static_cast<double>(values.size()), quantile(values, 0.5), quantile(values, 0.95),
+          quantile(values, 1.0)};
+}
+
+MoveLatency latencyOf(const HeldMove& move, const std::vector<FollowMoment>& moments) {
+  const Eigen::Vector3d along = move.shift_m.normalized();
+  const auto begin = std::ranges::lower_bound(moments, move.start_s, {}, &FollowMoment::time_s);
+  const double target_0 = along.dot(begin->target_m), tool_0 = along.dot(begin->tool_m);
+  const auto late_ms = [&](double way_m) {
+    const double target_s = timeOfWay(moments, move.start_s, way_m, [&](const FollowMoment& moment) {
+      return along.dot(moment.target_m) - target_0;
+    });
+    const double tool_s = timeOfWay(moments, move.start_s, way_m, [&](const FollowMoment& moment) {
+      return along.dot(moment.tool_m) - tool_0;
+    });
+    return 1e3 * (tool_s - target_s);
+  };
+  return {move, late_ms(kOnset_m), late_ms(kHalfWay_m)};
+}
+
+LatencyChain chainOf(const FollowRun& run, double rate_hz) {
+  return {.exposure = 1e3 * (0.5 / rate_hz + 0.5 * run.exposure_s),
+          .transfer = 1e3 * run.transfer_s,
+          .detection = quantile(run.vision_ms, 0.5),
+          .tracking = quantile(run.tracking_ms, 0.5),
+          .planning = quantile(run.follow_ms, 0.5),
+          .servo = 1e3 * run.handover_s,
+          .arm = 1e3 * run.arm_delay_s};
+}
+
+/// Starts softly, so that the swing begins without a jump in speed.
+double swingAt(double time_s) {
+  const double t = time_s - kFollowingFrom_s;
+  if (t <= 0.0) return 0.0;
+  return std::min(1.0, t / kSwingIn_s) * kSwing_m * std::sin(2.0 * std::numbers::pi * kSwing_hz * t);
+}
+
+SwingResult swingOf(const FollowRun& run, const Eigen::Vector3d& direction) {
+  double squares = 0.0, behind = 0.0, speeds = 0.0;
+  int count = 0;
+  for (std::size_t i = 1; i < run.moments.size(); ++i) {
+    const FollowMoment &before = run.moments[i - 1], &now = run.moments[i];
+    if (now.time_s < kFollowingFrom_s + kSwingIn_s + 1.0) continue;
+    const Eigen::Vector3d error = now.target_m - now.tool_m;
+    const double speed = direction.dot(now.target_m - before.target_m) / (now.time_s - before.time_s);
+    squares += error.squaredNorm();
+    behind += speed * direction.dot(error);
+    speeds += speed * speed;
+    ++count;
+  }
+  return {direction, 1e3 * std::sqrt(squares / count), 1e3 * behind / speeds};
+}
+
+}  // namespace
+
+Expected<LatencyResult, std::string> measureLatency(const std::filesystem::path& resources,
+                                                    MoveProfile profile, int moves, unsigned seed) {
+  const auto planned = movesToAndFro(profile, moves, kFollowingFrom_s + 0.5, seed);
+  FollowRunSettings settings{.resources = resources,
+                             .path = [&](double t) { return shiftAt(planned, t); },
+                             .duration_s = planned.back().end_s() + kAfter_s,
+                             .seed = seed};
+  auto run = runFollowing(settings);
+  if (!run) return unexpected(run.error());
+  LatencyResult result;
+  result.profile = profile;
+  for (const HeldMove& move : planned) result.moves.push_back(latencyOf(move, run->moments));
+  result.onset = statisticsOf(result.moves, &MoveLatency::onset_ms);
+  result.lag_at_50mm = statisticsOf(result.moves, &MoveLatency::lag_at_50mm_ms);
+  result.chain = chainOf(*run, settings.rate_hz);
+  result.run = std::move(*run);
+  return result;
+}
+
+Expected<std::vector<SwingResult>, std::string> measureSwing(const std::filesystem::path& resources,
+                                                             double duration_s, unsigned seed) {
+  std::vector<SwingResult> results;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d direction = Eigen::Vector3d::Unit(axis);
+    const auto run = runFollowing({.resources = resources,
+                                   .path = [&](double t) { return Eigen::Vector3d(swingAt(t) * direction); },
+                                   .duration_s = kFollowingFrom_s + duration_s,
+                                   .seed = seed});
+    if (!run) return unexpected(run.error());
+    results.push_back(swingOf(*run, direction));
+  }
+  return results;
+}
+
+}  // namespace mirrorarm::experiments
