@@ -24,6 +24,8 @@ CLI::App* addExperimentCommand(CLI::App& experiment, Context& context, const std
     orFail(writeWhole(*out / (name + ".json"),
                       [&](std::ostream& file) { file << report.result.dump(2) << "\n"; }));
     orFail(writeWhole(*out / (name + ".md"), [&](std::ostream& file) { file << report.table; }));
+    for (const ExperimentFile& each : report.files)
+      orFail(writeWhole(*out / each.name, [&](std::ostream& file) { file << each.content; }));
     if (!context.json) std::cout << report.table;
   });
   return command;
@@ -40,6 +42,7 @@ void addExperiment(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("experiment", "Repeat the paper's experiments beside its figures");
   command->require_subcommand(1);
   addExperimentAccuracy(*command, context);
+  addExperimentLatency(*command, context);
   addExperimentOcclusion(*command, context);
   addExperimentTiming(*command, context);
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/experiments/paper_scheme.h"
+
 namespace mirrorarm::experiments {
 namespace {
 
@@ -41,6 +43,13 @@ MoveLatency latencyOf(const HeldMove& move, const std::vector<FollowMoment>& mom
     return 1e3 * (tool_s - target_s);
   };
   return {move, late_ms(kOnset_m), late_ms(kHalfWay_m)};
+}
+
+std::vector<MoveLatency> latenciesOf(const std::vector<HeldMove>& moves,
+                                     const std::vector<FollowMoment>& moments) {
+  std::vector<MoveLatency> latencies;
+  for (const HeldMove& move : moves) latencies.push_back(latencyOf(move, moments));
+  return latencies;
 }
 
 LatencyChain chainOf(const FollowRun& run, double rate_hz) {
@@ -89,7 +98,13 @@ Expected<LatencyResult, std::string> measureLatency(const std::filesystem::path&
   if (!run) return unexpected(run.error());
   LatencyResult result;
   result.profile = profile;
-  for (const HeldMove& move : planned) result.moves.push_back(latencyOf(move, run->moments));
+  auto paper = followAsThePaper(settings, *run);
+  if (!paper) return unexpected(paper.error());
+  result.moves = latenciesOf(planned, run->moments);
+  const auto paper_moves = latenciesOf(planned, *paper);
+  result.paper_onset = statisticsOf(paper_moves, &MoveLatency::onset_ms);
+  result.paper_lag_at_50mm = statisticsOf(paper_moves, &MoveLatency::lag_at_50mm_ms);
+  result.paper_moments = std::move(*paper);
   result.onset = statisticsOf(result.moves, &MoveLatency::onset_ms);
   result.lag_at_50mm = statisticsOf(result.moves, &MoveLatency::lag_at_50mm_ms);
   result.chain = chainOf(*run, settings.rate_hz);

@@ -34,8 +34,10 @@ struct LatencyResult {
   MoveProfile profile = MoveProfile::kMinimumJerk;
   std::vector<MoveLatency> moves;
   LatencyStatistics onset, lag_at_50mm;
+  LatencyStatistics paper_onset, paper_lag_at_50mm;  ///< of the paper's scheme as a model, same moves
   LatencyChain chain;
   FollowRun run;
+  std::vector<FollowMoment> paper_moments;
 };
 
 /// Section 3.2, figure 7: a second robot moves the target by 100 mm, to and fro in all directions; the delay
