@@ -19,7 +19,8 @@ control::AssistSettings assistFor(const StationSettings& settings, const Equipme
 
 Stages::Stages(const Equipment& equipment, const StationSettings& settings)
     : limits(limitsFor(settings, equipment.arm)),
-      servo(equipment.arm, limits, *equipment.robot, settings.supervisor, assistFor(settings, equipment)),
+      servo(equipment.arm, limits, *equipment.robot, settings.supervisor, assistFor(settings, equipment),
+            robot::Clearance(equipment.arm, equipment.attached, equipment.obstacles)),
       desk(robot::Planner(equipment.arm, equipment.attached, equipment.obstacles, settings.planner)),
       tracking(equipment.rig, settings),
       recorder(settings, limits, equipment.simulated),
