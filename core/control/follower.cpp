@@ -16,7 +16,6 @@ using robot::Trajectory;
 constexpr double kExactly_rad = 1e-6;         // nearer to the motion in force: the guard let it pass
 constexpr double kOffTrajectory_rad = 0.005;  // further from the motion in force: it is not being followed
 constexpr double kCheckEvery_rad = 0.02;      // of the finished motion, for collisions
-constexpr double kPosturePull = 0.02;         // of the way to the first posture, each step
 constexpr double kSameEnd_rad = 0.05;         // a detour whose end is this near the goal is gone to its end
 
 double largest(const Joints& q) { return q.cwiseAbs().maxCoeff(); }
@@ -61,14 +60,9 @@ struct Follower::Body {
             commanded.v_rad_s + t * commanded.a_rad_s2, commanded.a_rad_s2};
   }
 
-  /// Where inverse kinematics starts. From the last goal, so that the same question gets the same answer;
-  /// drawn a little towards the posture in which following began, because the redundant joint of a closed
-  /// movement would wander off otherwise.
-  [[nodiscard]] Joints seed(const MotionState& commanded, TimePoint now) {
-    const bool followed = distanceFromMotion(commanded, now) < kOffTrajectory_rad;
-    if (!in_force.valid()) posture = commanded.q_rad;
-    const Joints near = followed ? last_goal : commanded.q_rad;
-    return near + kPosturePull * (posture - near);
+  /// Where inverse kinematics starts. From the last goal, so that the same question gets the same answer.
+  [[nodiscard]] Joints seed(const MotionState& commanded, TimePoint now) const {
+    return distanceFromMotion(commanded, now) < kOffTrajectory_rad ? last_goal : commanded.q_rad;
   }
 
   [[nodiscard]] std::optional<MovingGoal> jointGoal(const ToolGoal& goal, const Joints& near) const {
@@ -123,7 +117,6 @@ struct Follower::Body {
   robot::Kinematics kinematics;
   MotionTimer timer;
   robot::CollisionWorld world;
-  Joints posture;  // in which following began
   Joints last_goal;
   Trajectory in_force;
   bool on_detour = false;

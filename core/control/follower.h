@@ -64,7 +64,7 @@ class Follower {
   /// What the planning desk says. An answer to another question than the last one is passed over.
   [[nodiscard]] FollowStep take(const PlanAnswer& answer, const robot::MotionState& commanded, TimePoint now);
 
-  /// Forgets what was followed: the posture to keep to, the way around something, the open question.
+  /// Forgets what was followed: the way around something, the open question.
   void reset();
 
   /// End effector in base.
