@@ -37,7 +37,8 @@ std::unique_ptr<robot::RobotLink> simulatedRobot(const robot::ArmDescription& ar
                                                  std::uint64_t seed) {
   const auto posture = simulation::bench_layout::startPosture(robot::Kinematics(arm));
   return std::make_unique<simulation::SimulatedRobot>(
-      arm, posture.value_or(robot::Joints(robot::Joints::Zero(arm.jointCount()))), time, seed);
+      arm, posture.value_or(robot::Joints(robot::Joints::Zero(arm.jointCount()))), time,
+      simulation::SimulatedRobotSettings{.seed = seed});
 }
 
 std::unique_ptr<robot::RobotLink> robotOf(const Wish& wish, const robot::ArmDescription& arm,

@@ -51,7 +51,7 @@ std::vector<Capsule> handOn(const ArmDescription& arm) {
 class Rig {
  public:
   explicit Rig(const Joints& start)
-      : robot_(arm_, start, time_, kSeed), servo_(arm_, limits_, robot_, {}, {}, keepClear()) {
+      : robot_(arm_, start, time_, {.seed = kSeed}), servo_(arm_, limits_, robot_, {}, {}, keepClear()) {
     time_.set(now_);
     run(0.05);
   }
@@ -138,7 +138,7 @@ std::optional<Stopped> stopFrom(const Joints& start, const Eigen::Vector3d& dire
 /// A servo loop on the machine's own clock, in a thread of its own.
 class LiveServo {
  public:
-  LiveServo() : robot_(arm_, start(), time_, kSeed), servo_(arm_, *limitsOf("therapy", arm_), robot_, {}) {}
+  LiveServo() : robot_(arm_, start(), time_, {.seed = kSeed}), servo_(arm_, *limitsOf("therapy", arm_), robot_, {}) {}
 
   /// Cycles from a press in another thread to the first that brakes.
   long pressed() {

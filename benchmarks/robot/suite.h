@@ -11,6 +11,7 @@ namespace mirrorarm::benchmarks::robot {
 void measureFri(Run& run);
 void measureGuard(Run& run);
 void measureInverseKinematics(Run& run);
+void measureLatency(Run& run);
 void measureMotion(Run& run);
 void measurePlanning(Run& run);
 void measureStop(Run& run);

@@ -9,8 +9,9 @@ namespace {
 constexpr double kSlack = 1e-6;        // share of a limit that rounding may use up
 constexpr double kSpeedAhead = 0.995;  // shares of the flange's limits for what is known to the second order
 constexpr double kAccelerationAhead = 0.998;
-constexpr double kStep = 0.999;      // the same for the step itself
-constexpr double kWaySlack = 1e-10;  // the same of a way [m, rad]
+constexpr double kStep = 0.999;       // the same for the step itself
+constexpr double kZoneShare = 0.998;  // of a zone's speed: it falls while the arm comes nearer
+constexpr double kWaySlack = 1e-10;   // the same of a way [m, rad]
 
 double of(const Share& share, double v, double a) { return share[0] * v + share[1] * a; }
 
@@ -52,7 +53,7 @@ GuardVerdict graver(const GuardVerdict& one, const GuardVerdict& other) {
 
 ToolCap toolCap(const Surroundings& around, const MotionLimits& limits) {
   if (around.zone_speed_m_s < limits.max_tool_speed_m_s)
-    return {around.zone_speed_m_s, GuardAction::kZoneSpeed};
+    return {kZoneShare * around.zone_speed_m_s, GuardAction::kZoneSpeed};
   return {limits.max_tool_speed_m_s, GuardAction::kToolSpeed};
 }
 

@@ -52,7 +52,11 @@ void addTraining(const station::ControlState& control, QVector<Condition>& found
   if (control.follow == FollowOutcome::kOutOfReach || control.follow == FollowOutcome::kBlocked ||
       control.follow == FollowOutcome::kJointRange)
     found.push_back({QStringLiteral("follow.%1").arg(static_cast<int>(control.follow)), Priority::kLow,
-                     Alarm::tr("The robot cannot follow: %1").arg(words(control.follow))});
+                     Alarm::tr("The robot cannot follow: %1")
+                         .arg(control.contact ? words(*control.contact) : words(control.follow))});
+  if (control.gaze_kept)
+    found.push_back({QStringLiteral("gaze"), Priority::kLow,
+                     Alarm::tr("The robot stays behind, to keep the arm target in view")});
 }
 
 void addRecord(const station::RecordState& record, QVector<Condition>& found) {

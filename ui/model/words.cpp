@@ -115,6 +115,22 @@ QString words(control::MotionRefusal refusal) {
   return {};
 }
 
+QString words(const robot::Contact& contact) {
+  const QString part = contact.part == robot::ArmPart::kSling       ? Words::tr("The sling")
+                       : contact.part == robot::ArmPart::kCameraBar ? Words::tr("The camera bar")
+                                                                    : Words::tr("The arm");
+  if (!contact.obstacle) return Words::tr("%1 would touch the arm").arg(part);
+  switch (*contact.obstacle) {
+    case robot::ObstacleKind::kHead:
+      return Words::tr("%1 would come too near the head").arg(part);
+    case robot::ObstacleKind::kTable:
+      return Words::tr("%1 would touch the table").arg(part);
+    case robot::ObstacleKind::kBox:
+      return Words::tr("%1 would touch: %2").arg(part, QString::fromStdString(contact.name));
+  }
+  return part;
+}
+
 QString words(control::FollowOutcome outcome) {
   switch (outcome) {
     case control::FollowOutcome::kDirect:

@@ -4,6 +4,7 @@
 
 #include "core/control/follower.h"
 #include "core/control/servo_state.h"
+#include "core/robot/contact.h"
 #include "core/robot/motion_guard.h"
 #include "core/station/command.h"
 #include "core/station/snapshot.h"
@@ -20,6 +21,8 @@ namespace mirrorarm::ui {
 [[nodiscard]] QString words(control::EnablingPosition position);
 [[nodiscard]] QString words(control::MotionRefusal refusal);
 [[nodiscard]] QString words(control::FollowOutcome outcome);
+/// What of the robot is too near to what.
+[[nodiscard]] QString words(const robot::Contact& contact);
 [[nodiscard]] QString words(robot::GuardAction action);
 [[nodiscard]] QString words(station::Answer answer);
 [[nodiscard]] QString words(station::Recording recording);

@@ -85,5 +85,22 @@ TEST_F(Conditions, ATargetOutOfViewMattersOnlyWhileTraining) {
   EXPECT_EQ(now().first().priority, Priority::kLow) << "the stop that may follow is the high one";
 }
 
+TEST_F(Conditions, WhatStandsInTheWayIsNamed) {
+  station_.enter(therapy::Phase::kTraining);
+  station_.shown.control.follow = control::FollowOutcome::kBlocked;
+  station_.shown.control.contact =
+      robot::Contact{robot::ArmPart::kSling, robot::ObstacleKind::kHead, "patient"};
+  ASSERT_EQ(now().size(), 1);
+  EXPECT_TRUE(now().first().text.contains(QStringLiteral("The sling"))) << qPrintable(now().first().text);
+  EXPECT_TRUE(now().first().text.contains(QStringLiteral("head")));
+}
+
+TEST_F(Conditions, AnArmThatStaysBehindToKeepTheTargetInViewIsTold) {
+  station_.enter(therapy::Phase::kTraining);
+  station_.shown.control.gaze_kept = true;
+  ASSERT_EQ(now().size(), 1);
+  EXPECT_EQ(now().first().priority, Priority::kLow);
+}
+
 }  // namespace
 }  // namespace mirrorarm::ui
