@@ -26,7 +26,7 @@ std::vector<Tour::Stage> SessionTour::stages(const ui::SessionPresenter& session
           {in(Phase::kTraining), Seconds(1.0), "", "stopButton"},
           {stopped, Seconds(1.0), "7-stopped", "acknowledgeButton", true},
           {can_reset, Seconds(0.3), "", "resetStopButton", true},
-          {in(Phase::kPaused), Seconds(0.5), "8-paused", "startButton"},
+          {in(Phase::kPaused), Seconds(0.5), "8-paused", "startButton", true},  // the reset may be under way
           {in(Phase::kTraining), Seconds(5.0), "", "themeButton"},
           {in(Phase::kTraining), Seconds(1.0), "9-dark", "themeButton"},
           {in(Phase::kTraining), Seconds(0.5), "", "finishButton"},

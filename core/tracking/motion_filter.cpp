@@ -13,7 +13,7 @@ using Kind = MotionModel::Kind;
 
 constexpr std::array<MotionModel, MotionFilter::kModels> kModelsOfAnArm{{
     {Kind::kRest, 0.0, 2e-9, 0.0},
-    {Kind::kRest, 0.0, 1e-8, 0.0},
+    {Kind::kRest, 0.0, 2e-8, 0.0},
     {Kind::kGlide, 0.0, 1.0, 0.0},
     {Kind::kSwing, 0.0, 200.0, 0.0},
     {Kind::kSwing, 0.0, 3.0, 0.0},

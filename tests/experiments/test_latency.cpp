@@ -22,7 +22,8 @@ TEST(HeldMoves, BeginAndEndAtRest) {
 }
 
 TEST(Latency, TheTimeOfAWayIsInterpolated) {
-  const std::vector<FollowMoment> moments = {{0.0, {}, {}}, {0.1, {0.0, 0.0, 0.002}, {}}};
+  const std::vector<FollowMoment> moments = {{.time_s = 0.0},
+                                             {.time_s = 0.1, .target_m = Eigen::Vector3d(0.0, 0.0, 0.002)}};
   const auto way = [](const FollowMoment& moment) { return moment.target_m.z(); };
   EXPECT_NEAR(timeOfWay(moments, 0.0, 0.001, way), 0.05, 1e-12);
   EXPECT_TRUE(std::isnan(timeOfWay(moments, 0.0, 0.003, way)));

@@ -6,7 +6,7 @@ namespace mirrorarm::ui {
 namespace {
 
 constexpr int kRow_px = 18;
-constexpr double kName_px = 96, kValue_px = 62, kTrack_px = 8;
+constexpr double kGap_px = 12, kName_px = 42, kValue_px = 48, kTrack_px = 8;
 
 QString colourOf(control::ForceLevel level) {
   switch (level) {
@@ -26,7 +26,8 @@ QString colourOf(control::ForceLevel level) {
 HelpBars::HelpBars(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("helpBars"));
   setAccessibleName(tr("Force at the sling and help"));
-  setFixedHeight(2 * kRow_px);
+  setFixedHeight(kRow_px);
+  setToolTip(tr("Force at the sling against what the plan allows, and how much the robot helps"));
 }
 
 void HelpBars::setTheme(const Theme& theme) {
@@ -45,15 +46,17 @@ void HelpBars::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const bool calm = figures_.force_level == control::ForceLevel::kCalm;
   draw(painter,
-       {tr("Force at sling"), calm ? figures_.force : QStringLiteral("▲ ") + figures_.force,
-        figures_.force_share, colourOf(figures_.force_level), !calm},
-       0.0);
-  draw(painter, {tr("Help"), figures_.help, figures_.help_share, QStringLiteral("accent"), false}, kRow_px);
+       {tr("Force"), calm ? figures_.force : QStringLiteral("▲ ") + figures_.force, figures_.force_share,
+        colourOf(figures_.force_level), !calm},
+       0);
+  draw(painter, {tr("Help"), figures_.help, figures_.help_share, QStringLiteral("accent"), false}, 1);
 }
 
-void HelpBars::draw(QPainter& painter, const Bar& bar, double top) const {
-  const QRectF row(0, top, width(), kRow_px);
-  const QRectF track(kName_px, top + (kRow_px - kTrack_px) / 2, width() - kName_px - kValue_px, kTrack_px);
+void HelpBars::draw(QPainter& painter, const Bar& bar, int place) const {
+  const double half = (width() - kGap_px) / 2;
+  const QRectF row(place * (half + kGap_px), 0.0, half, kRow_px);
+  const QRectF track(row.left() + kName_px, (kRow_px - kTrack_px) / 2, half - kName_px - kValue_px,
+                     kTrack_px);
   QFont font = painter.font();
   font.setPixelSize(12);
   font.setBold(bar.bold);

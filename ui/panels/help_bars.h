@@ -7,7 +7,7 @@
 
 namespace mirrorarm::ui {
 
-/// The force at the sling against what the plan allows, and how much the robot helps.
+/// The force at the sling against what the plan allows, and how much the robot helps: two bars in a row.
 class HelpBars : public QWidget {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class HelpBars : public QWidget {
     QString colour;
     bool bold = false;
   };
-  void draw(QPainter& painter, const Bar& bar, double top) const;
+  void draw(QPainter& painter, const Bar& bar, int place) const;
 
   Theme theme_;
   RobotFigures figures_;
