@@ -37,12 +37,21 @@ class PlanningDesk {
   explicit PlanningDesk(robot::Planner planner) : planner_(std::move(planner)) {}
 
   /// Control thread.
-  void ask(const PlanQuestion& question) {
+  void ask(const PlanQuestion& question, TimePoint now) {
+    open_ = Open{question.number, now};
     questions_.put(question);
     asked_.notify();
   }
   /// Control thread. Nullptr while nothing new has come; good until the next call.
-  [[nodiscard]] const PlanAnswer* takeAnswer() noexcept { return answers_.take(); }
+  [[nodiscard]] const PlanAnswer* takeAnswer() noexcept {
+    const PlanAnswer* const answer = answers_.take();
+    if (answer && open_ && answer->number == open_->number) open_.reset();
+    return answer;
+  }
+  /// Control thread. How long the newest question has been waiting; 0 when it was answered.
+  [[nodiscard]] Seconds waiting(TimePoint now) const noexcept {
+    return open_ ? Seconds(now - open_->since) : Seconds(0.0);
+  }
 
   /// Planning thread: answers the newest question, if there is one. Takes as long as planning does.
   void answer();
@@ -52,7 +61,12 @@ class PlanningDesk {
   }
 
  private:
-  robot::Planner planner_;  // planning thread only
+  struct Open {
+    std::uint64_t number = 0;
+    TimePoint since{};
+  };
+  std::optional<Open> open_;  // control thread only
+  robot::Planner planner_;    // planning thread only
   Signal asked_;
   LatestValue<PlanQuestion> questions_;
   LatestValue<PlanAnswer> answers_;

@@ -17,7 +17,7 @@ enum class StopReason : std::uint8_t {
   kFollowingError,          ///< the robot is not where it was told to be
   kInternal,                ///< an exception left the motion loop
   kPoorLine,                ///< the robot's messages come too badly for it to be moved
-  kPlannerSilent,           ///< no sign of life from the thread that plans
+  kPlannerSilent,           ///< no sign of life from the threads that follow and plan
   kEnablingReleased,        ///< the enabling device was let go during a motion
   kEnablingPressedThrough,  ///< the enabling device was pressed through, as one does in a fright
   kForce,                   ///< the force at the sling reached the limit of the body region

@@ -10,6 +10,13 @@ using therapy::Action;
 using therapy::Phase;
 using tracking::TrackStatus;
 
+namespace {
+
+/// Two plans of the longest kind: the one that is under way, then the newest question.
+constexpr Seconds kPlanningPatience{1.5};
+
+}  // namespace
+
 ControlStage::ControlStage(const Equipment& equipment, const StationSettings& settings,
                            const robot::MotionLimits& limits, control::ServoLoop& servo,
                            control::PlanningDesk& desk, TrackingStage& tracking, RecorderStage& recorder)
@@ -224,7 +231,9 @@ void ControlStage::answer(Answer given) {
 void ControlStage::follow() {
   const bool moved_on = std::exchange(target_moved_on_, false);
   const control::PlanAnswer* const answer = desk_.takeAnswer();
-  if (state_.phase != Phase::kTraining || stopLatched() || !state_.target_fresh) return;
+  if (state_.phase != Phase::kTraining || stopLatched()) return;
+  if (desk_.waiting(now_) > kPlanningPatience) servo_.stop(control::StopReason::kPlannerSilent);
+  if (!state_.target_fresh) return;
   const auto& servo = state_.servo;
   if (answer) obey(follower_.take(*answer, servo.commanded, servo.time));
   if (!moved_on || !target_motion_.isKnown()) return;
@@ -240,7 +249,7 @@ void ControlStage::follow() {
 void ControlStage::obey(const control::FollowStep& step) {
   state_.follow = step.outcome;
   state_.contact = step.contact;
-  if (step.question) desk_.ask(*step.question);
+  if (step.question) desk_.ask(*step.question, now_);
   if (!step.isNew()) return;
   state_.trajectory = step.trajectory;
   servo_.setTrajectory(step.trajectory);

@@ -32,7 +32,7 @@ struct Bench {
     const FollowStep first = follower.step(goal, commanded, now);
     if (!first.question) return first;
     EXPECT_EQ(first.outcome, FollowOutcome::kPlanning);
-    desk.ask(*first.question);
+    desk.ask(*first.question, now);
     desk.answer();
     return follower.take(*desk.takeAnswer(), commanded, now);
   }

@@ -10,6 +10,8 @@ namespace {
 
 using robot::Joints;
 
+constexpr TimePoint kNow{std::chrono::hours(1)};
+
 robot::Planner planner() { return {robot::testing::lbr(), {}, {}, {}}; }
 
 TEST(PlanningDesk, AnswersTheNewestQuestionWithItsNumber) {
@@ -17,8 +19,8 @@ TEST(PlanningDesk, AnswersTheNewestQuestionWithItsNumber) {
   desk.answer();
   EXPECT_EQ(desk.takeAnswer(), nullptr) << "nobody asked";
   const Joints from = robot::testing::working(), to = from + Joints::Constant(7, 0.05);
-  desk.ask({.number = 1, .from = from, .to = from});
-  desk.ask({.number = 2, .from = from, .to = to});
+  desk.ask({.number = 1, .from = from, .to = from}, kNow);
+  desk.ask({.number = 2, .from = from, .to = to}, kNow);
   desk.answer();
   const PlanAnswer* answer = desk.takeAnswer();
   ASSERT_NE(answer, nullptr);
@@ -29,10 +31,24 @@ TEST(PlanningDesk, AnswersTheNewestQuestionWithItsNumber) {
   EXPECT_EQ(desk.takeAnswer(), nullptr) << "each answer is given once";
 }
 
+TEST(PlanningDesk, TellsHowLongItHasBeenAsked) {
+  PlanningDesk desk(planner());
+  EXPECT_EQ(desk.waiting(kNow).count(), 0.0);
+  const Joints from = robot::testing::working();
+  desk.ask({.number = 1, .from = from, .to = from}, kNow);
+  desk.answer();
+  desk.ask({.number = 2, .from = from, .to = from}, kNow + std::chrono::seconds(1));
+  ASSERT_NE(desk.takeAnswer(), nullptr);
+  EXPECT_EQ(desk.waiting(kNow + std::chrono::seconds(3)).count(), 2.0) << "an older answer is not this one's";
+  desk.answer();
+  ASSERT_NE(desk.takeAnswer(), nullptr);
+  EXPECT_EQ(desk.waiting(kNow + std::chrono::seconds(3)).count(), 0.0);
+}
+
 TEST(PlanningDesk, SaysWhyThereIsNoWay) {
   PlanningDesk desk(planner());
   const Joints from = robot::testing::working();
-  desk.ask({.number = 7, .from = from, .to = Joints::Constant(7, 9.0)});
+  desk.ask({.number = 7, .from = from, .to = Joints::Constant(7, 9.0)}, kNow);
   desk.answer();
   const PlanAnswer* answer = desk.takeAnswer();
   ASSERT_NE(answer, nullptr);
@@ -46,7 +62,7 @@ TEST(PlanningDesk, AnswersFromAThreadOfItsOwn) {
     while (!stop.stop_requested()) desk.awaitAndAnswer(Seconds(0.01));
   });
   const Joints from = robot::testing::working();
-  desk.ask({.number = 3, .from = from, .to = from + Joints::Constant(7, 0.1)});
+  desk.ask({.number = 3, .from = from, .to = from + Joints::Constant(7, 0.1)}, kNow);
   const PlanAnswer* answer = nullptr;
   for (int i = 0; i < 2000 && answer == nullptr; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
