@@ -178,6 +178,7 @@ struct ServoLoop::Body {
   [[nodiscard]] MotionRefusal refusalOf(const Order& news) const noexcept {
     if (!news.trajectory.valid()) return MotionRefusal::kNone;
     if (news.latch != latch.value() || news.latch.reason != StopReason::kNone) return MotionRefusal::kStopped;
+    if (!link.takesCommands()) return MotionRefusal::kRobotNotReady;
     if (settings.enabling_needed && state.enabling != EnablingPosition::kEnabled && !vitals.moving)
       return MotionRefusal::kNotEnabled;
     const Joints from = news.trajectory.at(state.time).q_rad;

@@ -26,6 +26,8 @@ std::string_view id(MotionRefusal refusal) {
       return "not_enabled";
     case MotionRefusal::kStartElsewhere:
       return "start_elsewhere";
+    case MotionRefusal::kRobotNotReady:
+      return "robot_not_ready";
   }
   return "unknown";
 }

@@ -31,8 +31,9 @@ enum class MotionRefusal : std::uint8_t {
   kStopped,         ///< it was handed over before or while a stop was latched
   kNotEnabled,      ///< the enabling device is not held
   kStartElsewhere,  ///< it begins where the robot is not
+  kRobotNotReady,   ///< the robot answers, but takes no commands yet
 };
-/// "none", "stopped", "not_enabled", "start_elsewhere".
+/// "none", "stopped", "not_enabled", "start_elsewhere", "robot_not_ready".
 [[nodiscard]] std::string_view id(MotionRefusal refusal);
 
 /// How old the newest news was in one cycle [s]; negative before the first.

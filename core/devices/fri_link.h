@@ -58,6 +58,9 @@ class FriLink final : public robot::RobotLink {
   [[nodiscard]] Seconds period() const noexcept override { return settings_.session.period; }
   [[nodiscard]] bool setsThePace() const noexcept override { return true; }
   void awaitCycle(Seconds longest) noexcept override;
+  [[nodiscard]] bool takesCommands() const noexcept override {
+    return session_.phase() == FriPhase::kCommanding;
+  }
   [[nodiscard]] robot::GivesWay givesWay() const noexcept override { return settings_.session.gives_way; }
 
   [[nodiscard]] std::uint16_t port() const noexcept { return socket_.port(); }

@@ -57,6 +57,8 @@ class RobotLink {
   [[nodiscard]] virtual bool setsThePace() const noexcept { return false; }
   /// Waits for the robot's next message, at most so long. Only where it sets the pace.
   virtual void awaitCycle(Seconds /*longest*/) noexcept {}
+  /// Whether it may be moved now: a robot that only monitors must be commanded where it rests until it does.
+  [[nodiscard]] virtual bool takesCommands() const noexcept { return true; }
   /// How the robot is set to give way to a force. Does not change while it moves.
   [[nodiscard]] virtual GivesWay givesWay() const noexcept { return GivesWay::kNot; }
 };

@@ -37,6 +37,7 @@ class FakeRobot final : public robot::RobotLink {
 
   Seconds period() const noexcept override { return period_; }
   robot::GivesWay givesWay() const noexcept override { return gives_way; }
+  bool takesCommands() const noexcept override { return !monitors; }
   const robot::Joints& q() const { return q_; }
 
   TimePoint now{};
@@ -46,6 +47,7 @@ class FakeRobot final : public robot::RobotLink {
   robot::Compliance compliance{};  ///< of the newest command
   bool stuck = false;
   bool lies = false;
+  bool monitors = false;
   int commands = 0;
   int halts = 0;
 

@@ -197,6 +197,22 @@ TEST(Stops, RobotThatDoesNotBrakeLosesItsDrives) {
   EXPECT_GT(bench.robot.halts, 0);
 }
 
+TEST(Start, WaitsForARobotThatOnlyMonitors) {
+  ServoBench bench;
+  bench.robot.monitors = true;
+  const Joints rest = bench.robot.q();
+  const int commands = bench.robot.commands;
+  bench.setOut();
+  bench.run(0.2);
+  EXPECT_EQ(bench.state.refused, MotionRefusal::kRobotNotReady);
+  EXPECT_EQ(bench.robot.q(), rest);
+  EXPECT_GT(bench.robot.commands, commands) << "it is commanded where it rests";
+  bench.robot.monitors = false;
+  bench.setOut();
+  bench.run(0.5);
+  EXPECT_NE(bench.robot.q(), rest);
+}
+
 TEST(Start, IsRefusedWhereTheRobotIsNot) {
   ServoBench bench;
   Joints elsewhere = bench.state.commanded.q_rad;

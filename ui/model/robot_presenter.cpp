@@ -39,7 +39,7 @@ QString motionOf(const station::ControlState& control) {
 QString wayOf(const station::ControlState& control) {
   const auto refused = control.servo.refused;
   const bool telling =
-      refused == control::MotionRefusal::kNotEnabled || refused == control::MotionRefusal::kStartElsewhere;
+      refused != control::MotionRefusal::kNone && refused != control::MotionRefusal::kStopped;
   return telling ? words(refused) : words(control.follow);
 }
 

@@ -111,6 +111,8 @@ QString words(control::MotionRefusal refusal) {
       return Words::tr("Not enabled");
     case control::MotionRefusal::kStartElsewhere:
       return Words::tr("Begins elsewhere");
+    case control::MotionRefusal::kRobotNotReady:
+      return Words::tr("Robot not ready");
   }
   return {};
 }
