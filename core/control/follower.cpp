@@ -16,6 +16,7 @@ using robot::Trajectory;
 constexpr double kExactly_rad = 1e-6;         // nearer to the motion in force: the guard let it pass
 constexpr double kOffTrajectory_rad = 0.005;  // further from the motion in force: it is not being followed
 constexpr double kCheckEvery_rad = 0.02;      // of the finished motion, for collisions
+constexpr double kFinest_rad = 0.002;         // where no step can be proven clear
 constexpr double kSameEnd_rad = 0.05;         // a detour whose end is this near the goal is gone to its end
 
 double largest(const Joints& q) { return q.cwiseAbs().maxCoeff(); }
@@ -97,7 +98,7 @@ struct Follower::Body {
     return step;
   }
 
-  /// The first contact on the way.
+  /// The first contact on the way: on short straight motions from sample to sample.
   [[nodiscard]] std::optional<robot::Contact> contactOn(const Trajectory& motion) const {
     const int samples = 1 + static_cast<int>(motion.duration().count() * fastest_rad_s / kCheckEvery_rad);
     Joints last = motion.at(motion.start()).q_rad;
@@ -105,8 +106,8 @@ struct Follower::Body {
       const Joints q =
           motion.at(motion.start() + toClock(motion.duration() * (static_cast<double>(i) / samples))).q_rad;
       if (i < samples && largest(q - last) < 0.5 * kCheckEvery_rad) continue;  // hardly moved since
+      if (const auto contact = world.firstContact(last, q, kFinest_rad)) return contact;
       last = q;
-      if (const auto contact = world.contact(q)) return contact;
     }
     return std::nullopt;
   }
