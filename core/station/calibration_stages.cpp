@@ -17,9 +17,9 @@ std::shared_ptr<const PlannedArm> plannedArm(const Equipment& equipment,
 std::unique_ptr<control::ServoLoop> servoFor(const Equipment& equipment, const PlannedArm* arm,
                                              const CalibrationSettings& settings) {
   if (arm == nullptr) return nullptr;
-  return std::make_unique<control::ServoLoop>(arm->arm, arm->limits, *equipment.robot, settings.supervisor,
-                                              control::AssistSettings{},
-                                              robot::Clearance(arm->arm, arm->attached, {}));
+  // Without clearances of the guard: the views are planned up to contact, nearer than it would let the arm
+  // go.
+  return std::make_unique<control::ServoLoop>(arm->arm, arm->limits, *equipment.robot, settings.supervisor);
 }
 
 }  // namespace
