@@ -6,10 +6,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "benchmarks/robot/bench_arm.h"
 #include "benchmarks/robot/pause_witness.h"
-#include "core/common/resources.h"
 #include "core/control/servo_loop.h"
-#include "core/robot/urdf.h"
 
 namespace mirrorarm::benchmarks::robot {
 namespace {
@@ -25,12 +24,6 @@ constexpr double kSwing_rad = 0.15;
 constexpr double kSilentCycles = 3.0;
 constexpr int kResetAfter = 500;  // cycles of rest
 const Joints kHome = (Joints(7) << 0.0, 0.6, 0.0, -1.0, 0.0, 0.9, 0.0).finished();
-
-ArmDescription lbr() {
-  auto arm = mirrorarm::robot::readUrdf(resourceFolder() / "robots/lbr4plus.urdf");
-  if (!arm) throw std::runtime_error(describe(arm.error()));
-  return *arm;
-}
 
 template <class T>
 T orThrow(Expected<T, std::string> value) {

@@ -5,12 +5,10 @@
 #include <stdexcept>
 
 #include "benchmarks/parallel.h"
+#include "benchmarks/robot/bench_arm.h"
 #include "benchmarks/robot/suite.h"
 #include "benchmarks/timing.h"
-#include "core/common/resources.h"
 #include "core/robot/clearance.h"
-#include "core/robot/hand.h"
-#include "core/robot/urdf.h"
 #include "tests/robot/guard_mischief.h"
 #include "tests/robot/guard_wire.h"
 
@@ -27,19 +25,6 @@ constexpr int kCyclesATrial = 10'000;
 constexpr int kCyclesAKind = 500;
 constexpr double kRounding = 1.0 + 1e-5;
 constexpr double kWayRounding = 1e-6;
-
-ArmDescription lbr() {
-  auto arm = readUrdf(resourceFolder() / "robots/lbr4plus.urdf");
-  if (!arm) throw std::runtime_error(describe(arm.error()));
-  return *arm;
-}
-
-/// Camera bar and sling.
-std::vector<Capsule> handOn(const ArmDescription& arm) {
-  const auto hand = readHand(resourceFolder() / "robots/hand.yaml");
-  if (!hand) throw std::runtime_error(describe(hand.error()));
-  return attachedTo(arm, *hand);
-}
 
 /// A table, a box beside the arm and a head.
 std::vector<Obstacle> room() {

@@ -4,16 +4,15 @@
 #include <stdexcept>
 #include <vector>
 
+#include "benchmarks/robot/bench_arm.h"
 #include "benchmarks/robot/rrt_first.h"
 #include "benchmarks/robot/suite.h"
 #include "benchmarks/timing.h"
 #include "core/common/resources.h"
-#include "core/robot/hand.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/planner.h"
 #include "core/robot/surroundings.h"
 #include "core/robot/trajectory.h"
-#include "core/robot/urdf.h"
 
 namespace mirrorarm::benchmarks::robot {
 namespace {
@@ -31,8 +30,8 @@ T read(FromFile<T> from_file) {
 
 /// The bench's arm with its hand, table and head.
 struct Bench {
-  ArmDescription arm = read(readUrdf(resourceFolder() / "robots/lbr4plus.urdf"));
-  std::vector<Capsule> attached = attachedTo(arm, read(readHand(resourceFolder() / "robots/hand.yaml")));
+  ArmDescription arm = lbr();
+  std::vector<Capsule> attached = handOn(arm);
   std::vector<Obstacle> surroundings = read(readSurroundings(resourceFolder() / "robots/surroundings.yaml"));
   MotionLimits limits = *limitsOf("therapy", arm);
 };

@@ -6,14 +6,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "benchmarks/robot/bench_arm.h"
 #include "benchmarks/robot/suite.h"
 #include "benchmarks/statistics.h"
 #include "benchmarks/timing.h"
-#include "core/common/resources.h"
 #include "core/common/time_source.h"
 #include "core/control/servo_loop.h"
-#include "core/robot/hand.h"
-#include "core/robot/urdf.h"
 #include "core/simulation/simulated_robot.h"
 
 namespace mirrorarm::benchmarks::robot {
@@ -33,19 +31,6 @@ constexpr std::array<std::array<double, 7>, 4> kPostures = {{{0.0, -0.6, 0.0, 1.
                                                              {0.8, -0.9, 0.4, 1.0, -0.5, 0.8, 0.3},
                                                              {-0.5, -0.3, -0.6, 1.8, 0.9, -0.7, 0.0},
                                                              {0.0, -1.4, 0.0, 0.4, 0.0, 0.6, 0.0}}};
-
-ArmDescription lbr() {
-  auto arm = readUrdf(resourceFolder() / "robots/lbr4plus.urdf");
-  if (!arm) throw std::runtime_error(describe(arm.error()));
-  return *arm;
-}
-
-/// Camera bar and sling.
-std::vector<Capsule> handOn(const ArmDescription& arm) {
-  const auto hand = readHand(resourceFolder() / "robots/hand.yaml");
-  if (!hand) throw std::runtime_error(describe(hand.error()));
-  return attachedTo(arm, *hand);
-}
 
 /// A servo loop on the simulated robot with its drives; time passes when it is told to.
 class Rig {
@@ -138,7 +123,8 @@ std::optional<Stopped> stopFrom(const Joints& start, const Eigen::Vector3d& dire
 /// A servo loop on the machine's own clock, in a thread of its own.
 class LiveServo {
  public:
-  LiveServo() : robot_(arm_, start(), time_, {.seed = kSeed}), servo_(arm_, *limitsOf("therapy", arm_), robot_, {}) {}
+  LiveServo()
+      : robot_(arm_, start(), time_, {.seed = kSeed}), servo_(arm_, *limitsOf("therapy", arm_), robot_, {}) {}
 
   /// Cycles from a press in another thread to the first that brakes.
   long pressed() {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/robot/motion_guard_tool.h"
+
 namespace mirrorarm::control {
 namespace {
 
@@ -53,10 +55,7 @@ robot::Trajectory MotionTimer::through(const robot::MotionState& from,
 }
 
 Eigen::Vector3d MotionTimer::flangeMotion(const robot::Joints& q_rad, const robot::Joints& joints) const {
-  const robot::Jacobian J = kinematics_.jacobian(q_rad);
-  Eigen::Vector3d motion = Eigen::Vector3d::Zero();
-  for (Eigen::Index j = 0; j < joints.size(); ++j) motion += J.block<3, 1>(0, j) * joints[j];
-  return motion;
+  return robot::toolOf(kinematics_.jacobian(q_rad), joints);
 }
 
 MotionTimer::Excess MotionTimer::excessOf(const robot::Trajectory& motion) const {

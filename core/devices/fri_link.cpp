@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/devices/fri_joints.h"
+#include "core/devices/ipv4.h"
 
 namespace mirrorarm::devices {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "core/devices/udp_socket.h"
+#include "core/devices/ipv4.h"
 
 namespace mirrorarm::devices {
 namespace {

@@ -2,37 +2,27 @@
 
 #include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <netdb.h>
-#include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
 
-#include "core/devices/udp_socket.h"
+#include "core/devices/ipv4.h"
 
 namespace mirrorarm::devices {
 namespace {
 
 constexpr int kMostWaiting = 4;
 
-/// True when the socket is ready for `events` within the time.
-bool waitFor(int socket, short events, Seconds patience) {
-  const double whole_s = std::floor(patience.count());
-  const timespec time{static_cast<time_t>(whole_s), static_cast<long>(1e9 * (patience.count() - whole_s))};
-  pollfd watched{socket, events, 0};
-  return ::ppoll(&watched, 1, &time, nullptr) > 0;
-}
-
 /// Connects without waiting for longer than `patience`; the error is errno's.
 int connectWithin(int socket, const addrinfo& address, Seconds patience) {
   if (::connect(socket, address.ai_addr, address.ai_addrlen) == 0) return 0;
   if (errno != EINPROGRESS) return errno;
-  if (!waitFor(socket, POLLOUT, patience)) return ETIMEDOUT;
+  if (!readyWithin(socket, POLLOUT, patience)) return ETIMEDOUT;
   int error = 0;
   socklen_t size = sizeof error;
   return ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size) == 0 ? error : errno;
@@ -92,7 +82,7 @@ void TcpSocket::close() noexcept {
   if (socket_ >= 0) ::close(std::exchange(socket_, -1));
 }
 
-bool TcpSocket::wait(Seconds longest) const noexcept { return waitFor(socket_, POLLIN, longest); }
+bool TcpSocket::wait(Seconds longest) const noexcept { return readyWithin(socket_, POLLIN, longest); }
 
 Expected<std::size_t, int> TcpSocket::receive(std::span<std::byte> into) const noexcept {
   const auto size = ::recv(socket_, into.data(), into.size(), 0);
@@ -111,10 +101,7 @@ Expected<TcpListener, std::string> TcpListener::open(const std::string& address,
   if (!number) return unexpected(number.error());
   const int descriptor = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   TcpSocket socket(descriptor);
-  sockaddr_in bound{};
-  bound.sin_family = AF_INET;
-  bound.sin_addr.s_addr = htonl(*number);
-  bound.sin_port = htons(port);
+  sockaddr_in bound = socketAddress(*number, port);
   socklen_t size = sizeof bound;
   const int yes = 1;
   if (descriptor < 0 || ::setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||

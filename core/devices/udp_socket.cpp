@@ -2,30 +2,20 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <ctime>
-#include <memory>
-#include <netdb.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
+
+#include "core/devices/ipv4.h"
 
 namespace mirrorarm::devices {
 namespace {
 
 /// Only a mistaken or jumping calendar makes a datagram older than this, or younger than now.
 constexpr Seconds kOldest{1.0};
-
-sockaddr_in socketAddress(UdpPeer peer) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(peer.address);
-  address.sin_port = htons(peer.port);
-  return address;
-}
 
 /// The kernel stamps by the calendar; only the datagram's age is taken from it.
 TimePoint arrivalOf(const timespec& stamp) {
@@ -48,26 +38,13 @@ TimePoint arrivalOf(msghdr& message) {
 
 }  // namespace
 
-Expected<std::uint32_t, std::string> ipv4Of(const std::string& host) {
-  addrinfo hints{};
-  hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_DGRAM;
-  addrinfo* found = nullptr;
-  if (const int failed = ::getaddrinfo(host.c_str(), nullptr, &hints, &found))
-    return unexpected("'" + host + "': " + ::gai_strerror(failed));
-  const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> addresses(found, &::freeaddrinfo);
-  sockaddr_in address{};
-  std::memcpy(&address, found->ai_addr, std::min<std::size_t>(sizeof address, found->ai_addrlen));
-  return ntohl(address.sin_addr.s_addr);
-}
-
 Expected<UdpSocket, std::string> UdpSocket::open(const std::string& address, std::uint16_t port) {
   const auto number = ipv4Of(address);
   if (!number) return unexpected(number.error());
   const std::string place = address + ":" + std::to_string(port);
   UdpSocket socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), port);
   const int yes = 1;
-  sockaddr_in bound = socketAddress({*number, port});
+  sockaddr_in bound = socketAddress(*number, port);
   socklen_t size = sizeof bound;
   if (socket.socket_ < 0 || ::setsockopt(socket.socket_, SOL_SOCKET, SO_TIMESTAMPNS, &yes, sizeof yes) != 0 ||
       ::bind(socket.socket_, reinterpret_cast<sockaddr*>(&bound), size) != 0 ||
@@ -90,12 +67,7 @@ UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
   return *this;
 }
 
-bool UdpSocket::wait(Seconds longest) const noexcept {
-  const double whole_s = std::floor(longest.count());
-  const timespec patience{static_cast<time_t>(whole_s), static_cast<long>(1e9 * (longest.count() - whole_s))};
-  pollfd watched{socket_, POLLIN, 0};
-  return ::ppoll(&watched, 1, &patience, nullptr) > 0;
-}
+bool UdpSocket::wait(Seconds longest) const noexcept { return readyWithin(socket_, POLLIN, longest); }
 
 std::optional<ReceivedDatagram> UdpSocket::receive(std::span<std::byte> into) const noexcept {
   sockaddr_in source{};
@@ -117,7 +89,7 @@ std::optional<ReceivedDatagram> UdpSocket::receive(std::span<std::byte> into) co
 }
 
 bool UdpSocket::send(std::span<const std::byte> bytes, UdpPeer to) const noexcept {
-  const sockaddr_in address = socketAddress(to);
+  const sockaddr_in address = socketAddress(to.address, to.port);
   return ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&address),
                   sizeof address) == static_cast<ssize_t>(bytes.size());
 }

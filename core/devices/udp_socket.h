@@ -47,7 +47,4 @@ class UdpSocket {
   std::uint16_t port_ = 0;
 };
 
-/// The address of a host, by name or number; the error is the reason.
-[[nodiscard]] Expected<std::uint32_t, std::string> ipv4Of(const std::string& host);
-
 }  // namespace mirrorarm::devices

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "core/devices/ipv4.h"
+
 namespace mirrorarm::peers {
 namespace {
 

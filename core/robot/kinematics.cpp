@@ -48,10 +48,9 @@ KDL::Chain chainOf(const ArmDescription& arm) {
   return chain;
 }
 
-template <class Value>
-KDL::JntArray gather(const ArmDescription& arm, Value value) {
-  KDL::JntArray all(static_cast<unsigned>(arm.jointCount()));
-  for (int i = 0; i < arm.jointCount(); ++i) all.data[i] = value(arm.joints[static_cast<std::size_t>(i)]);
+KDL::JntArray toKdl(const Joints& joints) {
+  KDL::JntArray all(static_cast<unsigned>(joints.size()));
+  all.data = joints;
   return all;
 }
 
@@ -60,8 +59,9 @@ KDL::JntArray gather(const ArmDescription& arm, Value value) {
 struct Kinematics::Body {
   explicit Body(const ArmDescription& arm)
       : chain(chainOf(arm)),
-        lower(gather(arm, [](const auto& joint) { return joint.lower_rad; })),
-        upper(gather(arm, [](const auto& joint) { return joint.upper_rad; })),
+        ranges(jointRanges(arm)),
+        lower(toKdl(ranges.lower)),
+        upper(toKdl(ranges.upper)),
         position(chain),
         jacobian(chain),
         velocity(chain),
@@ -70,7 +70,7 @@ struct Kinematics::Body {
         seed(chain.getNrOfJoints()),
         solution(chain.getNrOfJoints()),
         J(chain.getNrOfJoints()) {
-    if (const auto srs = srsArm(arm)) closed_form.emplace(*srs, jointRanges(arm));
+    if (const auto srs = srsArm(arm)) closed_form.emplace(*srs, ranges);
     velocity.setLambda(kDamping);
   }
 
@@ -87,9 +87,7 @@ struct Kinematics::Body {
     if (newton.CartToJnt(seed, toKdl(X_BF), solution) < 0 || !solution.data.allFinite()) return false;
     const RigidTransform X_found = frameAfter(solution.data, allSegments());
     return (X_found.translation() - X_BF.translation()).norm() <= kReached_m &&
-           angleBetween(X_found, X_BF) <= kReached_rad &&
-           (solution.data.array() >= lower.data.array()).all() &&
-           (solution.data.array() <= upper.data.array()).all();
+           angleBetween(X_found, X_BF) <= kReached_rad && ranges.have(solution.data);
   }
 
   [[nodiscard]] Expected<Joints, NoPosture> approached(const RigidTransform& X_BF, const Joints& near) {
@@ -98,7 +96,7 @@ struct Kinematics::Body {
     for (const double spread : kSeedSpread_rad) {
       std::uniform_real_distribution<double> nearby(-spread, spread);
       for (Eigen::Index i = 0; i < near.size(); ++i)
-        seed.data[i] = std::clamp(near[i] + nearby(random), lower.data[i], upper.data[i]);
+        seed.data[i] = std::clamp(near[i] + nearby(random), ranges.lower[i], ranges.upper[i]);
       if (newtonFinds(X_BF)) return Joints(solution.data);
     }
     return unexpected(NoPosture::kOutOfReach);
@@ -108,6 +106,7 @@ struct Kinematics::Body {
 
   std::optional<PostureChoice> closed_form;
   KDL::Chain chain;  // the solvers below keep references to it
+  JointRanges ranges;
   KDL::JntArray lower, upper;
   KDL::ChainFkSolverPos_recursive position;
   KDL::ChainJntToJacSolver jacobian;
