@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iomanip>
 #include <sstream>
 
@@ -11,9 +10,9 @@ namespace {
 
 using experiments::FollowMoment;
 using experiments::MoveLatency;
+using experiments::WayOf;
 
 constexpr double kWidth = 720.0, kHeight = 400.0, kLeft = 60.0, kRight = 20.0, kTop = 30.0, kBottom = 50.0;
-constexpr double kOnset_m = 0.001;
 constexpr double kBefore_s = 0.2, kAfter_s = 1.0;  // of the move
 
 /// From time and way to the place on the page.
@@ -27,23 +26,13 @@ struct Page {
   }
 };
 
-using Way_mm = std::function<double(const FollowMoment&)>;
-
-Way_mm wayOf(const MoveLatency& move, const std::vector<FollowMoment>& moments,
-             Eigen::Vector3d FollowMoment::*who) {
-  const Eigen::Vector3d along = move.move.shift_m.normalized();
-  const auto begin = std::ranges::lower_bound(moments, move.move.start_s, {}, &FollowMoment::time_s);
-  const double zero = along.dot((*begin).*who);
-  return [=](const FollowMoment& moment) { return 1e3 * (along.dot(moment.*who) - zero); };
-}
-
-void curve(std::ostream& out, const Page& page, const std::vector<FollowMoment>& moments, const Way_mm& way,
+void curve(std::ostream& out, const Page& page, const std::vector<FollowMoment>& moments, const WayOf& way,
            const char* colour, const char* dashes) {
   out << R"(<polyline fill="none" stroke-width="2" stroke=")" << colour << R"(" stroke-dasharray=")" << dashes
       << R"(" points=")";
   for (const FollowMoment& moment : moments)
     if (moment.time_s >= page.from_s && moment.time_s <= page.to_s)
-      out << page.x(moment.time_s) << ',' << page.y(way(moment)) << ' ';
+      out << page.x(moment.time_s) << ',' << page.y(1e3 * way(moment)) << ' ';
   out << "\"/>\n";
 }
 
@@ -88,10 +77,10 @@ std::string latencyFigure(const experiments::LatencyResult& result) {
   const MoveLatency& move = typical(result);
   const Page page{move.move.start_s - kBefore_s, move.move.end_s() + kAfter_s,
                   1e3 * move.move.shift_m.norm() * 1.1};
-  const Way_mm target = wayOf(move, result.run.moments, &FollowMoment::target_m);
-  const Way_mm tool = wayOf(move, result.run.moments, &FollowMoment::tool_m);
-  const auto beginOf = [&](const Way_mm& way) {
-    return experiments::timeOfWay(result.run.moments, move.move.start_s, 1e3 * kOnset_m, way);
+  const WayOf target = wayAlong(move.move, result.run.moments, &FollowMoment::target_m);
+  const WayOf tool = wayAlong(move.move, result.run.moments, &FollowMoment::tool_m);
+  const auto beginOf = [&](const WayOf& way) {
+    return timeOfWay(result.run.moments, move.move.start_s, experiments::kOnset_m, way);
   };
   out << std::fixed << std::setprecision(1) << R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" << kWidth
       << R"(" height=")" << kHeight << R"(" font-family="sans-serif" font-size="12">)"
@@ -99,8 +88,8 @@ std::string latencyFigure(const experiments::LatencyResult& result) {
       << R"(<rect width="100%" height="100%" fill="white"/>)"
       << "\n";
   axes(out, page);
-  curve(out, page, result.paper_moments, wayOf(move, result.paper_moments, &FollowMoment::tool_m), "#999999",
-        "6 4");
+  curve(out, page, result.paper_moments, wayAlong(move.move, result.paper_moments, &FollowMoment::tool_m),
+        "#999999", "6 4");
   curve(out, page, result.run.moments, target, "#d55e00", "none");
   curve(out, page, result.run.moments, tool, "#0072b2", "none");
   verticalAt(out, page.x(beginOf(target)), "#d55e00");

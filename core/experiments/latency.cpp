@@ -11,7 +11,7 @@
 namespace mirrorarm::experiments {
 namespace {
 
-constexpr double kOnset_m = 0.001, kHalfWay_m = 0.050;
+constexpr double kHalfWay_m = 0.050;
 constexpr double kAfter_s = 1.0;  // recorded after the last move
 constexpr double kSwing_hz = 0.3, kSwing_m = 0.050, kSwingIn_s = 4.0;
 
@@ -30,17 +30,11 @@ LatencyStatistics statisticsOf(const std::vector<MoveLatency>& moves, double Mov
 }
 
 MoveLatency latencyOf(const HeldMove& move, const std::vector<FollowMoment>& moments) {
-  const Eigen::Vector3d along = move.shift_m.normalized();
-  const auto begin = std::ranges::lower_bound(moments, move.start_s, {}, &FollowMoment::time_s);
-  const double target_0 = along.dot(begin->target_m), tool_0 = along.dot(begin->tool_m);
+  const WayOf target = wayAlong(move, moments, &FollowMoment::target_m);
+  const WayOf tool = wayAlong(move, moments, &FollowMoment::tool_m);
   const auto late_ms = [&](double way_m) {
-    const double target_s = timeOfWay(moments, move.start_s, way_m, [&](const FollowMoment& moment) {
-      return along.dot(moment.target_m) - target_0;
-    });
-    const double tool_s = timeOfWay(moments, move.start_s, way_m, [&](const FollowMoment& moment) {
-      return along.dot(moment.tool_m) - tool_0;
-    });
-    return 1e3 * (tool_s - target_s);
+    return 1e3 *
+           (timeOfWay(moments, move.start_s, way_m, tool) - timeOfWay(moments, move.start_s, way_m, target));
   };
   return {move, late_ms(kOnset_m), late_ms(kHalfWay_m)};
 }
@@ -86,6 +80,25 @@ SwingResult swingOf(const FollowRun& run, const Eigen::Vector3d& direction) {
 }
 
 }  // namespace
+
+WayOf wayAlong(const HeldMove& move, const std::vector<FollowMoment>& moments,
+               Eigen::Vector3d FollowMoment::*who) {
+  const Eigen::Vector3d along = move.shift_m.normalized();
+  const auto begin = std::ranges::lower_bound(moments, move.start_s, {}, &FollowMoment::time_s);
+  const double zero = along.dot((*begin).*who);
+  return [=](const FollowMoment& moment) { return along.dot(moment.*who) - zero; };
+}
+
+double timeOfWay(const std::vector<FollowMoment>& moments, double from_s, double way_m, const WayOf& wayOf) {
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    if (moments[i].time_s < from_s) continue;
+    const double before = wayOf(moments[i - 1]), now = wayOf(moments[i]);
+    if (before < way_m && now >= way_m)
+      return moments[i - 1].time_s +
+             (moments[i].time_s - moments[i - 1].time_s) * (way_m - before) / (now - before);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 Expected<LatencyResult, std::string> measureLatency(const std::filesystem::path& resources,
                                                     MoveProfile profile, int moves, unsigned seed) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <functional>
 
 #include "core/experiments/follow_run.h"
 #include "core/experiments/held_moves.h"
@@ -56,19 +56,16 @@ struct SwingResult {
 [[nodiscard]] Expected<std::vector<SwingResult>, std::string> measureSwing(
     const std::filesystem::path& resources, double duration_s, unsigned seed);
 
-/// Time at which the way of a moment first reaches `way_m` and stays beyond it, from `from_s` on; not a
-/// number where it never does. `wayOf` gives the way of a moment.
-template <class WayOf>
+/// Where the onset is taken.
+inline constexpr double kOnset_m = 0.001;
+
+/// How far somebody has come in a move at a moment [m].
+using WayOf = std::function<double(const FollowMoment&)>;
+/// Along the move since its start, of the target or of the tool.
+[[nodiscard]] WayOf wayAlong(const HeldMove& move, const std::vector<FollowMoment>& moments,
+                             Eigen::Vector3d FollowMoment::*who);
+/// Time at which the way first reaches `way_m`, from `from_s` on; not a number where it never does.
 [[nodiscard]] double timeOfWay(const std::vector<FollowMoment>& moments, double from_s, double way_m,
-                               WayOf wayOf) {
-  for (std::size_t i = 1; i < moments.size(); ++i) {
-    if (moments[i].time_s < from_s) continue;
-    const double before = wayOf(moments[i - 1]), now = wayOf(moments[i]);
-    if (before < way_m && now >= way_m)
-      return moments[i - 1].time_s +
-             (moments[i].time_s - moments[i - 1].time_s) * (way_m - before) / (now - before);
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
+                               const WayOf& wayOf);
 
 }  // namespace mirrorarm::experiments
