@@ -12,7 +12,6 @@ using station::SessionScript;
 
 constexpr auto kStep = std::chrono::milliseconds(2);
 constexpr TimePoint kStart{std::chrono::seconds(1)};
-constexpr double kPhaseBehind_s = 0.25;  // a movement that is switched on takes half a second to run evenly
 
 /// Bench, station and operator of one run.
 class Runner {

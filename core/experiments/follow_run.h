@@ -25,6 +25,9 @@ struct FollowRunSettings {
 /// From then on the arm follows: what is before is for teaching and aligning.
 inline constexpr double kFollowingFrom_s = 12.0;
 
+/// The bench's movements take half a second to run evenly: the path's phase stays behind the time by so much.
+inline constexpr double kPhaseBehind_s = 0.25;
+
 /// Where both truly were: shifts since the start, in the first robot's base.
 struct FollowMoment {
   double time_s = 0.0;

@@ -20,13 +20,33 @@ constexpr double kFigure_s = 0.002;  // between two moments
 
 TimePoint at(double time_s) { return TimePoint(std::chrono::hours(1)) + toClock(Seconds(time_s)); }
 
+Eigen::Vector3d shiftAt(const FollowRunSettings& settings, double time_s) {
+  return settings.path(time_s - kPhaseBehind_s);
+}
+
 /// What the robot knows at `time_s`: how the target stood when the newest frame was exposed that has been
 /// tracked by then.
 Eigen::Vector3d knownShift(const FollowRunSettings& settings, const FollowRun& run, double time_s) {
   const double age_s = 0.5 * run.exposure_s + run.transfer_s + 1e-3 * paper::kMean_ms;
-  const double exposed_s = std::floor((time_s - age_s) * settings.rate_hz) / settings.rate_hz;
-  return settings.path(exposed_s);
+  return shiftAt(settings, std::floor((time_s - age_s) * settings.rate_hz) / settings.rate_hz);
 }
+
+/// The commanded motion: the one before goes on until the new one begins.
+class Commands {
+ public:
+  explicit Commands(const Joints& start) : now_(Trajectory::rest(start, at(kFollowingFrom_s))), next_(now_) {}
+
+  [[nodiscard]] Joints jointsAt(double time_s) {
+    if (next_.start() <= at(time_s)) now_ = next_;
+    return now_.at(at(time_s)).q_rad;
+  }
+  void plan(const Joints& goal, double begin_s, const robot::MotionLimits& limits) {
+    next_ = Trajectory::quintic(now_.at(at(begin_s)), goal, at(begin_s), limits);
+  }
+
+ private:
+  Trajectory now_, next_;
+};
 
 }  // namespace
 
@@ -39,8 +59,10 @@ Expected<std::vector<FollowMoment>, std::string> followAsThePaper(const FollowRu
   if (!start) return unexpected(std::string("the arm does not reach the bench's start pose"));
   const robot::MotionLimits limits = *robot::limitsOf("therapy", *arm);
   const RigidTransform X_BF_start = kinematics.flange(*start);
+  const auto delay = static_cast<std::size_t>(std::lround(run.arm_delay_s / kFigure_s));
+  std::vector<Eigen::Vector3d> commanded;
   std::vector<FollowMoment> moments;
-  Trajectory motion = Trajectory::rest(*start, at(kFollowingFrom_s));
+  Commands commands(*start);
   Joints near = *start;
   double next_s = kFollowingFrom_s;
   for (double t = kFollowingFrom_s; t < settings.duration_s; t += kFigure_s) {
@@ -50,12 +72,11 @@ Expected<std::vector<FollowMoment>, std::string> followAsThePaper(const FollowRu
           kinematics.inverse(Eigen::Translation3d(knownShift(settings, run, t)) * X_BF_start, near);
       if (!goal) return unexpected(std::string("the arm does not reach all of the path"));
       near = *goal;
-      const TimePoint begin = at(t + kPlanning_s);
-      motion = Trajectory::quintic(motion.at(begin), *goal, begin, limits);
+      commands.plan(*goal, t + kPlanning_s, limits);
     }
-    const Eigen::Vector3d tool =
-        kinematics.flange(motion.at(at(t - run.arm_delay_s)).q_rad).translation() - X_BF_start.translation();
-    moments.push_back({t, settings.path(t), tool});
+    commanded.push_back(kinematics.flange(commands.jointsAt(t)).translation() - X_BF_start.translation());
+    const std::size_t late = commanded.size() > delay ? commanded.size() - 1 - delay : 0;
+    moments.push_back({t, shiftAt(settings, t), commanded[late]});
   }
   return moments;
 }

@@ -29,6 +29,20 @@ TEST(Latency, TheTimeOfAWayIsInterpolated) {
   EXPECT_TRUE(std::isnan(timeOfWay(moments, 0.0, 0.003, way)));
 }
 
+TEST(Latency, ThePapersSchemeMovesWithoutJumpsAndAfterTheTarget) {
+  const auto result = measureLatency(RESOURCES, MoveProfile::kMinimumJerk, 2, 3);
+  ASSERT_TRUE(result) << result.error();
+  const auto& moments = result->paper_moments;
+  double fastest_m_s = 0.0;
+  for (std::size_t i = 1; i < moments.size(); ++i)
+    fastest_m_s = std::max(fastest_m_s, (moments[i].tool_m - moments[i - 1].tool_m).norm() /
+                                            (moments[i].time_s - moments[i - 1].time_s));
+  EXPECT_LT(fastest_m_s, 0.25) << "a jump";
+  const WayOf target = wayAlong(result->moves[0].move, result->run.moments, &FollowMoment::target_m);
+  const WayOf tool = wayAlong(result->moves[0].move, moments, &FollowMoment::tool_m);
+  EXPECT_GT(timeOfWay(moments, 0.0, kOnset_m, tool), timeOfWay(result->run.moments, 0.0, kOnset_m, target));
+}
+
 // Wider than what is aimed at: four moves only.
 TEST(Latency, TheWholeProgramAnswersSoonerThanThePapers) {
   const auto result = measureLatency(RESOURCES, MoveProfile::kMinimumJerk, 4, 3);
