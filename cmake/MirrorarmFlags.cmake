@@ -22,6 +22,8 @@ target_compile_options(mirrorarm_flags INTERFACE
   $<$<BOOL:${MIRRORARM_WARNINGS_AS_ERRORS}>:-Werror>)
 target_compile_definitions(mirrorarm_flags INTERFACE MIRRORARM_VERSION="${PROJECT_VERSION}")
 if(MIRRORARM_SANITIZE)
-  target_compile_options(mirrorarm_flags INTERFACE -fsanitize=${MIRRORARM_SANITIZE} -fno-omit-frame-pointer)
+  # Assertions stay on and the first finding ends the program, so that a test fails by it.
+  target_compile_options(mirrorarm_flags INTERFACE
+    -fsanitize=${MIRRORARM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -UNDEBUG -D_GLIBCXX_ASSERTIONS)
   target_link_options(mirrorarm_flags INTERFACE -fsanitize=${MIRRORARM_SANITIZE})
 endif()
