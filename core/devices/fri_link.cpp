@@ -40,7 +40,10 @@ FriLink::FriLink(FriLinkSettings settings, UdpSocket socket, std::optional<std::
 void FriLink::awaitCycle(Seconds longest) noexcept {
   answer();
   fresh_ = false;
-  if (socket_.wait(longest)) takeAll();
+  const TimePoint end = Clock::now() + toClock(longest);
+  // A step of the servo loop stands for a period of the arm: nothing else that comes may make one.
+  for (Seconds left = longest; !fresh_ && left > Seconds(0.0); left = end - Clock::now())
+    if (socket_.wait(left)) takeAll();
   if (!fresh_ && Clock::now() - arrived_at_ > settings_.session.silent_after) session_.silence();
   publish();
 }

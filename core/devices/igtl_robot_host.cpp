@@ -77,7 +77,7 @@ void IgtlRobotHost::run(const std::stop_token& stop, Seconds longest) {
     }
     cycle();
   }
-  robot_.halt();
+  haltToRest(robot_);
 }
 
 void IgtlRobotHost::cycle() {

@@ -1,6 +1,7 @@
 #include "core/devices/igtl_robot_link.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace mirrorarm::devices {
 
@@ -22,6 +23,7 @@ Expected<std::unique_ptr<IgtlRobotLink>, std::string> IgtlRobotLink::connect(con
 
 void IgtlRobotLink::awaitCycle(Seconds longest) noexcept {
   fresh_ = false;
+  if (!socket_.isOpen()) return std::this_thread::sleep_for(longest);  // nothing sets the pace any more
   const TimePoint end = Clock::now() + toClock(longest);
   while (!fresh_ && socket_.isOpen()) {
     const Seconds left = end - Clock::now();

@@ -14,8 +14,8 @@ namespace mirrorarm::robot {
 struct RobotState {
   Joints q_rad{};
   Joints v_rad_s{};
-  /// By what acts on the arm from outside, as the robot's own model tells it; empty where it has no such
-  /// sensors.
+  /// By what acts on the arm from outside, as the robot's own model tells it; always empty where it has no
+  /// such sensors.
   Joints external_torque_nm{};
   TimePoint measured_at{};
 };
@@ -62,5 +62,10 @@ class RobotLink {
   /// How the robot is set to give way to a force. Does not change while it moves.
   [[nodiscard]] virtual GivesWay givesWay() const noexcept { return GivesWay::kNot; }
 };
+
+/// The way out of a loop that drives `link`: halts it and, where the robot's messages set the pace, answers
+/// them until it has come to rest, at most so long. One that is braked by these answers and does not get them
+/// is left to its own watchdogs.
+void haltToRest(RobotLink& link, Seconds longest = Seconds(1.0)) noexcept;
 
 }  // namespace mirrorarm::robot

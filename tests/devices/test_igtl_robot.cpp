@@ -137,6 +137,21 @@ TEST_F(IgtlRobotTest, AClientThatHangsUpLeavesAHaltedRobot) {
   EXPECT_EQ(link->read().error(), LinkFault::kPoorLine) << "the next client acknowledges it too";
 }
 
+TEST_F(IgtlRobotTest, AClosedLineKeepsTheBeat) {
+  lend();
+  const auto link = connect();
+  ASSERT_TRUE(link);
+  end();
+  host_.reset();
+  for (int i = 0; i < 100 && link->read(); ++i) link->awaitCycle(Seconds(0.02));
+  const TimePoint start = Clock::now();
+  for (int i = 0; i < 5; ++i) link->awaitCycle(Seconds(0.02));
+  EXPECT_GE(Seconds(Clock::now() - start), Seconds(0.1));
+  EXPECT_EQ(link->read().error(), LinkFault::kNoAnswer);
+  EXPECT_EQ(link->command({Joints::Zero(kJoints), {}}).error(), LinkFault::kNoAnswer);
+  robot::haltToRest(*link, Seconds(0.05));
+}
+
 TEST_F(IgtlRobotTest, MotionIsNeverAllowedOverTheWireAlone) {
   lend(false);
   const auto link = connect();

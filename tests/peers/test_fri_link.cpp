@@ -146,6 +146,36 @@ TEST(FriLink, TakesNothingFromTheHeapInACycle) {
             0u);
 }
 
+TEST(FriLink, WhoeverLeavesBrakesTheArmAndStopsTheProgram) {
+  const auto link = openLink();
+  FriDriver driver(*link);
+  RunningController controller(link->port(), {});
+  drive(*link, driver, [&](const auto&) { return driver.isSwinging(); });
+  ASSERT_TRUE(driver.isSwinging());
+  robot::haltToRest(*link);
+  const auto& ended = controller.end();
+  ASSERT_EQ(ended.report().falls.size(), 1u);
+  EXPECT_EQ(ended.report().falls.front().why, FriControllerFall::kStopped)
+      << id(ended.report().falls.front().why);
+}
+
+TEST(FriLink, NothingButTheControllerMakesACycle) {
+  const auto link = openLink("127.0.0.1");
+  auto stranger = devices::UdpSocket::open("127.0.0.1", 0);
+  ASSERT_TRUE(stranger) << stranger.error();
+  std::jthread noise([&](const std::stop_token& stop) {
+    const std::array<std::byte, 64> nonsense{};
+    while (!stop.stop_requested()) {
+      stranger->send(nonsense, {0x7F000001, link->port()});
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+  });
+  const TimePoint start = Clock::now();
+  for (int i = 0; i < 5; ++i) link->awaitCycle(Seconds(0.02));
+  EXPECT_GE(Seconds(Clock::now() - start), Seconds(0.1));
+  EXPECT_GT(link->takeStatistics()->refused, 0u);
+}
+
 TEST(FriLink, SaysWhyAnAddressCannotBeHad) {
   FriLinkSettings settings;
   settings.address = "192.0.2.1";
