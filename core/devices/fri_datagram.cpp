@@ -169,7 +169,8 @@ Expected<FriMeasurement, FriRefusal> friMeasurementOf(std::span<const std::byte>
   Plain plain;
   LittleEndianReader reader(bytes);
   visitMeasurement(reader, m, plain);
-  if (!areFinite(m.q_rad, m.commanded_q_rad, m.commanded_q_offset_rad, m.torque_nm, m.external_torque_nm))
+  if (!areFinite(m.q_rad, m.flange, m.commanded_q_rad, m.commanded_q_offset_rad, m.torque_nm,
+                 m.external_torque_nm))
     return unexpected(FriRefusal::kNotFinite);
   if (plain.state > static_cast<std::uint16_t>(FriState::kCommand) ||
       plain.quality > static_cast<std::uint16_t>(FriQuality::kPerfect) ||

@@ -111,8 +111,8 @@ enum class FriRefusal : std::uint8_t { kShort, kLong, kWrongId, kWrongSize, kNot
 /// "short", "long", "wrong_id", "wrong_size", "not_finite", "out_of_range".
 [[nodiscard]] std::string_view id(FriRefusal refusal);
 
-/// Refuses another size, another id, angles and torques that are not finite or that no arm has, states that
-/// do not exist and periods outside 1 .. 100 ms. Does not allocate.
+/// Refuses another size, another id, angles and torques that are not finite or that no arm has, a flange that
+/// is not finite, states that do not exist and periods outside 1 .. 100 ms. Does not allocate.
 [[nodiscard]] Expected<FriMeasurement, FriRefusal> friMeasurementOf(
     std::span<const std::byte> bytes) noexcept;
 /// Refuses another size, another id, and values that are flagged and not finite. Does not allocate.

@@ -133,6 +133,7 @@ TEST(FriDatagram, RefusesWithTheReason) {
   EXPECT_EQ(refusal([](Bytes& b) { b[6] = std::byte{5}; }), "wrong_id");
   EXPECT_EQ(refusal([](Bytes& b) { b[4] = std::byte{0}; }), "wrong_size");
   EXPECT_EQ(refusal([&](Bytes& b) { put(b, 216, nan); }), "not_finite");
+  EXPECT_EQ(refusal([&](Bytes& b) { put(b, 244, nan); }), "not_finite") << "the pose is mirrored";
   EXPECT_EQ(refusal([&](Bytes& b) { put(b, 320, inf); }), "not_finite");
   EXPECT_EQ(refusal([&](Bytes& b) { put(b, 472, nan); }), "not_finite");
   EXPECT_EQ(refusal([](Bytes& b) { b[144] = std::byte{3}; }), "out_of_range");
