@@ -57,7 +57,7 @@ const ForceReading& ForceWatch::forget() noexcept {
 }
 
 ForceLevel ForceWatch::levelOf(double share) const noexcept {
-  if (share >= 1.0) return ForceLevel::kTooMuch;
+  if (!(share < 1.0)) return ForceLevel::kTooMuch;
   if (share >= settings_.soften_share) return ForceLevel::kSoften;
   return share >= settings_.warning_share ? ForceLevel::kWarning : ForceLevel::kCalm;
 }

@@ -25,8 +25,9 @@ constexpr std::size_t kStates = 2048;
 double largest(const Joints& q) { return q.size() > 0 ? q.cwiseAbs().maxCoeff() : 0.0; }
 
 bool isUsable(const robot::RobotState& state, int joints) {
+  const auto torques = state.external_torque_nm.size();
   return state.q_rad.size() == joints && state.v_rad_s.size() == joints && state.q_rad.allFinite() &&
-         state.v_rad_s.allFinite();
+         state.v_rad_s.allFinite() && (torques == 0 || torques == joints);
 }
 
 double ageOf(TimePoint time, TimePoint now) { return time == TimePoint{} ? -1.0 : secondsBetween(time, now); }
@@ -73,21 +74,29 @@ struct ServoLoop::Body {
     state.guard = robot::GuardAction::kPassed;
   }
 
+  /// A time from the future, told again and again, would never grow old.
+  void hear(TimePoint& heard, TimePoint& told, TimePoint news) const noexcept {
+    if (news != told) heard = std::min(news, vitals.now);
+    told = news;
+  }
+
   void readRobot() noexcept {
     const auto read = link.read();
-    const bool usable = read && isUsable(*read, kinematics.jointCount());
+    // A robot that has felt forces and does not any more would go on without a limit to them.
+    const bool usable =
+        read && isUsable(*read, kinematics.jointCount()) && (!feels || read->external_torque_nm.size() > 0);
     vitals.fault = usable ? LinkFault::kNone : read ? LinkFault::kDriveFault : read.error();
     if (!usable) return;
     state.measured = *read;
-    // A time from the future would never grow old.
-    vitals.last_robot = std::min(read->measured_at, vitals.now);
+    feels = read->external_torque_nm.size() > 0;
+    hear(vitals.last_robot, robot_told, read->measured_at);
     assist.feel(state.measured, kinematics);
   }
 
   void takeMail() noexcept {
     if (const Tracking* const news = tracking.take()) {
-      vitals.last_frame = news->last_frame;
-      vitals.last_target = news->last_target;
+      hear(vitals.last_frame, tracking_told.last_frame, news->last_frame);
+      hear(vitals.last_target, tracking_told.last_target, news->last_target);
       vitals.following = news->following;
       vitals.last_decision = vitals.now;
     }
@@ -276,6 +285,9 @@ struct ServoLoop::Body {
   SoftStart soft_start;
   AssistLoop assist;
   Vitals vitals;
+  TimePoint robot_told{};  // as the robot itself said, however wrong
+  Tracking tracking_told;
+  bool feels = false;  // the robot has told outside torques
   ServoState state;
   robot::Commanded last;  // what was sent; good while `driven`
   MotionState wish;

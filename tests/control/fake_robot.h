@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "core/robot/robot_link.h"
 
@@ -16,8 +17,10 @@ class FakeRobot final : public robot::RobotLink {
     v_ = (next_ - q_) / period().count();
     q_ = next_;
     if (fault != robot::LinkFault::kNone) return unexpected(robot::LinkFault(fault));
-    robot::RobotState state{
-        .q_rad = q_, .v_rad_s = v_, .external_torque_nm = external_torque_nm, .measured_at = now};
+    robot::RobotState state{.q_rad = q_,
+                            .v_rad_s = v_,
+                            .external_torque_nm = external_torque_nm,
+                            .measured_at = claims.value_or(now)};
     if (lies) state.q_rad[0] = std::nan("");
     return state;
   }
@@ -41,6 +44,7 @@ class FakeRobot final : public robot::RobotLink {
   const robot::Joints& q() const { return q_; }
 
   TimePoint now{};
+  std::optional<TimePoint> claims;  ///< when it measured, as it says
   robot::LinkFault fault = robot::LinkFault::kNone;
   robot::GivesWay gives_way = robot::GivesWay::kNot;  ///< before a loop is made with it
   robot::Joints external_torque_nm{};

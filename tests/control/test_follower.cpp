@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,45 @@ TEST(Follower, GoalInsideAWallIsBlocked) {
   Bench bench(wall);
   const FollowStep step = bench.step(bench.slingAt(to), restAt(robot::testing::working()), after(0));
   EXPECT_EQ(step.outcome, FollowOutcome::kBlocked);
+}
+
+TEST(Follower, GoalInsideTheHeadIsBlocked) {
+  Joints to = robot::testing::working();
+  to[0] += 0.3;
+  const std::vector head = {
+      robot::ball(robot::ObstacleKind::kHead, Bench().kinematics.flange(to).translation(), 0.12)};
+  Bench bench(head);
+  EXPECT_EQ(bench.step(bench.slingAt(to), restAt(robot::testing::working()), after(0)).outcome,
+            FollowOutcome::kBlocked);
+}
+
+TEST(Follower, GoalInsideTheArmItselfIsRefused) {
+  Bench bench;
+  const Joints start = robot::testing::working();
+  RigidTransform X_BE = bench.slingAt(start);
+  for (const Eigen::Vector3d& inside : {Eigen::Vector3d(0.0, 0.0, 0.15), Eigen::Vector3d(0.0, 0.05, 0.31)}) {
+    X_BE.translation() = inside;
+    const FollowStep step = bench.step(X_BE, restAt(start), after(0));
+    EXPECT_FALSE(step.isNew()) << id(step.outcome);
+    EXPECT_FALSE(step.trajectory.valid());
+  }
+}
+
+TEST(Follower, GoalThatIsNoNumberIsOutOfReach) {
+  Bench bench;
+  const Joints start = robot::testing::working();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const int at : {0, 5, 12, 14}) {  // of the rotation, of the translation
+    ToolGoal goal = ToolGoal::resting(bench.slingAt(start));
+    goal.X_BE.matrix()(at) = nan;
+    EXPECT_EQ(bench.step(goal, restAt(start), after(0)).outcome, FollowOutcome::kOutOfReach) << at;
+    goal = ToolGoal::resting(bench.slingAt(start));
+    goal.X_BE_soon.matrix()(at) = nan;
+    const FollowStep step = bench.step(goal, restAt(start), after(0));
+    if (step.isNew()) {
+      EXPECT_TRUE(step.trajectory.goal().allFinite()) << at;
+    }
+  }
 }
 
 TEST(Follower, ClosedMovementBringsTheJointsBack) {

@@ -276,6 +276,22 @@ TEST(Start, GrowsSoftlyWhateverIsWished) {
   EXPECT_DOUBLE_EQ(bench.state.soft_start, 1.0);
 }
 
+TEST(Start, AStopDuringItEndsInRestAtOnce) {
+  for (const double after_s : {0.001, 0.01, 0.1, 0.4, 0.9}) {
+    ServoBench bench;
+    bench.setOut();
+    bench.run(after_s);
+    ASSERT_LT(bench.state.soft_start, 1.0);
+    bench.loop->stop(StopReason::kOperator);
+    EXPECT_EQ(bench.cyclesToStop(), 1);
+    EXPECT_LE(bench.cyclesToRest(), 300) << after_s;
+    const Joints rest = bench.robot.q();
+    bench.run(0.5);
+    EXPECT_LT((bench.robot.q() - rest).norm(), 1e-5) << after_s;
+    EXPECT_EQ(bench.state.category, StopCategory::kTwo);
+  }
+}
+
 TEST(Start, AfterAHoldKeepsTheSpeedThatIsThere) {
   ServoBench bench;
   bench.speedUp();
