@@ -6,6 +6,7 @@
 #include "core/common/signal.h"
 #include "core/station/calibration_stages.h"
 #include "core/station/even_beat.h"
+#include "core/station/servo_thread.h"
 #include "core/station/stages.h"
 
 namespace mirrorarm::station {
@@ -22,8 +23,10 @@ struct CalibrationStation::Body {
         stages(equipment, settings, jobs),
         control([this](const std::stop_token& stop) { decide(stop); }),
         vision([this](const std::stop_token& stop) { look(stop); }),
-        acquisition([this](const std::stop_token& stop) { acquire(stop); }) {
-    if (stages.servo) servo = std::jthread([this](const std::stop_token& stop) { serve(stop); });
+        acquisition([this](const std::stop_token& stop) { guarded([&] { acquire(stop); }); }) {
+    if (!stages.servo) return;
+    servo = std::jthread(
+        [this](const std::stop_token& stop) { runServo(stop, *stages.servo, *equipment.robot); });
   }
 
   void acquire(const std::stop_token& stop) {
@@ -49,11 +52,7 @@ struct CalibrationStation::Body {
 
   void decide(const std::stop_token& stop) {
     atEvenBeat(stop, kControlPeriod, [this](TimePoint now) { guarded([&] { stages.control.step(now); }); });
-  }
-
-  void serve(const std::stop_token& stop) {
-    atEvenBeat(stop, equipment.robot->period(), [this](TimePoint now) { stages.servo->step(now); });
-    equipment.robot->halt();
+    guarded([&] { stages.control.end(); });
   }
 
   /// Any way out of a stage stops the robot.

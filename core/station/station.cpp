@@ -4,8 +4,8 @@
 
 #include "core/common/log.h"
 #include "core/common/signal.h"
-#include "core/devices/real_time.h"
 #include "core/station/even_beat.h"
+#include "core/station/servo_thread.h"
 #include "core/station/stages.h"
 
 namespace mirrorarm::station {
@@ -13,13 +13,6 @@ namespace {
 
 /// Long enough to idle quietly, short enough that the program ends at once.
 constexpr Seconds kPatience{0.1};
-/// A robot that sets the pace may be silent so long before the watchdogs are asked.
-constexpr double kSilentCycles = 3.0;
-
-void tellRealTime(const devices::RealTimeGrant& grant) {
-  log(grant.isFull() ? LogLevel::kInfo : LogLevel::kWarning,
-      "servo: " + schedulingLine(grant) + "; " + memoryLine(grant));
-}
 
 }  // namespace
 
@@ -28,11 +21,11 @@ struct Station::Body {
       : equipment(given),
         stages(equipment, settings),
         recorder([this](const std::stop_token& stop) { record(stop); }),
-        servo([this](const std::stop_token& stop) { serve(stop); }),
+        servo([this](const std::stop_token& stop) { runServo(stop, stages.servo, *equipment.robot); }),
         planning([this](const std::stop_token& stop) { plan(stop); }),
         control([this](const std::stop_token& stop) { decide(stop); }),
         tracking([this](const std::stop_token& stop) { track(stop); }),
-        acquisition([this](const std::stop_token& stop) { acquire(stop); }) {}
+        acquisition([this](const std::stop_token& stop) { guarded([&] { acquire(stop); }); }) {}
 
   void acquire(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
@@ -71,21 +64,9 @@ struct Station::Body {
     while (!stop.stop_requested()) guarded([this] { stages.desk.awaitAndAnswer(kPatience); });
   }
 
-  void serve(const std::stop_token& stop) {
-    tellRealTime(devices::askForRealTime());
-    robot::RobotLink& robot = *equipment.robot;
-    if (!robot.setsThePace())
-      atEvenBeat(stop, robot.period(), [this](TimePoint now) { stages.servo.step(now); });
-    while (!stop.stop_requested()) {
-      robot.awaitCycle(kSilentCycles * robot.period());
-      stages.servo.step(Clock::now());
-    }
-    robot.halt();
-  }
-
   void record(const std::stop_token& stop) {
     atEvenBeat(stop, kRecorderPeriod, [this](TimePoint) { guarded([&] { stages.recorder.step(); }); });
-    stages.recorder.step();
+    guarded([&] { stages.recorder.step(); });
   }
 
   /// Any way out of a stage stops the robot.

@@ -6,6 +6,15 @@
 namespace mirrorarm::station {
 namespace {
 
+/// Cameras that fail in a way that nobody foresaw.
+class BrokenCameras final : public camera::FrameSource {
+ public:
+  Expected<camera::StereoFrame, camera::NoFrame> next(Seconds) override {
+    throw std::runtime_error("the driver fell over");
+  }
+  double rate_hz() const override { return 24.0; }
+};
+
 /// The real threads on the wall clock, for a short session.
 TEST(Station, RunsASessionOnItsThreads) {
   const SteadyTime time;
@@ -36,6 +45,22 @@ TEST(Station, StopsFromAnyThread) {
   somebody.join();
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   EXPECT_EQ(station.snapshot().control.servo.stop, control::StopReason::kOperator);
+}
+
+TEST(Station, AnExceptionOfTheCamerasStopsTheRobot) {
+  const SteadyTime time;
+  auto bench = simulation::Bench::make(benchFor("reach", true), time);
+  ASSERT_TRUE(bench) << describe(bench.error());
+  BrokenCameras cameras;
+  auto equipment = equipmentOf(**bench);
+  equipment.cameras = &cameras;
+  Station station(equipment, {});
+  auto stop = control::StopReason::kNone;
+  for (int i = 0; i < 500 && stop == control::StopReason::kNone; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    stop = station.snapshot().control.servo.stop;
+  }
+  EXPECT_EQ(stop, control::StopReason::kInternal);
 }
 
 }  // namespace
