@@ -45,12 +45,17 @@ CalibrationControl::CalibrationControl(const Equipment& equipment, const Calibra
 void CalibrationControl::step(TimePoint now) {
   now_ = now;
   drainServo();
-  watchCameras();
   takeReports();
   takeAnswers();
   obeyCommands();
   guide();
+  tellServo();
   publish();
+}
+
+void CalibrationControl::end() {
+  drainServo();
+  if (const auto reason = stops_.unkept()) jobs_.keepBlackBox(*digest_->blackBox(), *reason);
 }
 
 void CalibrationControl::drainServo() {
@@ -67,19 +72,10 @@ void CalibrationControl::drainServo() {
 }
 
 void CalibrationControl::noteStop(const StopNews& news) {
-  if (news.box_due) jobs_.keepBlackBox(digest_->blackBox(), news.reason);
+  if (news.box_due) jobs_.keepBlackBox(*digest_->blackBox(), news.reason);
   if (!news.begun) return;
   log(LogLevel::kWarning, "stop." + std::string(id(news.reason)));
   guidance_.stopDriving();
-}
-
-// The servo loop's own watch on frames is for following a target; here the robot goes by itself, and nobody
-// sees where when the cameras are gone.
-void CalibrationControl::watchCameras() {
-  if (!guidance_.isDriving()) return;
-  const double age_s = secondsBetween(newest_frame_.load(std::memory_order_relaxed), now_);
-  if (age_s > settings_.supervisor.camera_silent_after.count())
-    servo_->stop(control::StopReason::kCameraSilent);
 }
 
 void CalibrationControl::takeReports() {
@@ -363,6 +359,14 @@ double CalibrationControl::progress() const {
 // One that never answered carries nothing.
 bool CalibrationControl::robotRests() const {
   return servo_ == nullptr || state_.servo.measured.q_rad.size() == 0 || state_.servo.at_rest;
+}
+
+// There is no target that could be lost. But the robot goes by itself: nobody sees where when the cameras are
+// gone, and nobody ends it when this thread hangs.
+void CalibrationControl::tellServo() {
+  if (servo_ == nullptr) return;
+  const TimePoint frame_at = newest_frame_.load(std::memory_order_relaxed) + toClock(known_.clock_offset);
+  servo_->setTracking({frame_at, now_, guidance_.isDriving()});
 }
 
 void CalibrationControl::publish() {

@@ -37,13 +37,14 @@ class CalibrationControl {
   void report(const BoardReport& report) noexcept { static_cast<void>(reports_.push(report)); }
 
   void step(TimePoint now);
+  /// After the last step: the black box that is not kept yet is.
+  void end();
 
   LatestValue<std::shared_ptr<const CalibrationSnapshot>> for_screen;  ///< taken by the screen's thread only
 
  private:
   void drainServo();
   void noteStop(const StopNews& news);
-  void watchCameras();
   void takeReports();
   void takeReport(const BoardReport& report);
   void takeByItself(const BoardReport& report);
@@ -63,6 +64,7 @@ class CalibrationControl {
   void cancel();
   void answer(CalibrationAnswer given);
   void guide();
+  void tellServo();
   void publish();
   void updateWatch();
   void updateCoverage();

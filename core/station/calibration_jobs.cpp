@@ -85,14 +85,12 @@ void CalibrationJobs::accept(std::shared_ptr<const CalibrationOutcome> outcome,
   });
 }
 
-void CalibrationJobs::keepBlackBox(std::shared_ptr<const std::vector<control::ServoState>> states,
-                                   control::StopReason reason) {
+// At once: jobs that wait are dropped when the calibration is left, and the robot rests anyway.
+void CalibrationJobs::keepBlackBox(std::span<const control::ServoState> states, control::StopReason reason) {
   const auto& folder = shared_->settings.black_box_folder;
   if (folder.empty()) return;
-  runner_.run([folder, reason, states = std::move(states)] {
-    if (const auto written = writeBlackBox(blackBoxFile(folder, reason), *states); !written)
-      complain(written.error());
-  });
+  if (const auto written = writeBlackBox(blackBoxFile(folder, reason), states); !written)
+    complain(written.error());
 }
 
 std::vector<CalibrationJobs::Answer> CalibrationJobs::takeAnswers() {

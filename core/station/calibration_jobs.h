@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -43,8 +44,7 @@ class CalibrationJobs {
   void solve(SolveQuestion question, std::uint64_t version);
   void accept(std::shared_ptr<const CalibrationOutcome> outcome, std::vector<std::string> removed_views,
               std::vector<calibration::PosePair> pairs);
-  void keepBlackBox(std::shared_ptr<const std::vector<control::ServoState>> states,
-                    control::StopReason reason);
+  void keepBlackBox(std::span<const control::ServoState> states, control::StopReason reason);
 
   /// Those of the present job that came since the last call.
   [[nodiscard]] std::vector<Answer> takeAnswers();

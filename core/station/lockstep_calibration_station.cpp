@@ -59,7 +59,7 @@ LockstepCalibrationStation::LockstepCalibrationStation(const Equipment& equipmen
                                                        const CalibrationSettings& settings, ManualTime& time)
     : body_(std::make_unique<Body>(equipment, settings, time)) {}
 
-LockstepCalibrationStation::~LockstepCalibrationStation() = default;
+LockstepCalibrationStation::~LockstepCalibrationStation() { body_->stages.control.end(); }
 
 void LockstepCalibrationStation::advanceTo(TimePoint time) { body_->advanceTo(time); }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/station/calibration_stages.h"
 #include "tests/station/bench_calibration.h"
 
 namespace mirrorarm::station {
@@ -164,6 +165,78 @@ TEST(CalibrationControl, SilentCamerasStopTheDriving) {
   EXPECT_EQ(bench.seen().servo.stop, control::StopReason::kCameraSilent);
   EXPECT_TRUE(bench.seen().servo.at_rest);
   EXPECT_FALSE(bench.seen().driving);
+}
+
+TEST(CalibrationControl, DeadCamerasHoldTheStopAndTakeTheDrivesAway) {
+  BenchCalibration bench;
+  ASSERT_EQ(bench.begin(Job::kStereo), Answer::kAccepted);
+  ASSERT_EQ(bench.drive(), Answer::kAccepted);
+  ASSERT_TRUE(bench.waitFor(isUnderWay, Seconds(3.0)));
+  bench.bench().failCameras(true);
+  bench.wait(Seconds(2.0));
+  EXPECT_EQ(bench.seen().servo.category, control::StopCategory::kOne);
+  bench.station().resetStop();
+  EXPECT_EQ(bench.wait(Seconds(0.1)).servo.stop, control::StopReason::kCameraSilent);
+  bench.bench().failCameras(false);
+  bench.wait(Seconds(1.0));
+  bench.station().resetStop();
+  EXPECT_EQ(bench.wait(Seconds(0.1)).servo.stop, control::StopReason::kNone);
+}
+
+TEST(CalibrationControl, AControlThreadThatHangsStopsTheDriving) {
+  ManualTime time;
+  time.set(TimePoint(std::chrono::seconds(1)));
+  const auto bench = simulation::Bench::make(benchWithPlate(), time);
+  ASSERT_TRUE(bench);
+  CalibrationSettings settings;
+  settings.supervisor.camera_silent_after = Seconds(0.6);
+  JobsAtOnce jobs;
+  const auto equipment = equipmentOf(**bench);
+  CalibrationStages stages(equipment, settings, jobs);
+  control::ServoState servo;
+  bool control_lives = true;
+  const auto runUntil = [&](const std::function<bool()>& done) {
+    for (int cycle = 0; cycle < 60'000; ++cycle) {
+      if (done()) return cycle;
+      time.set(time.now() + std::chrono::milliseconds(1));
+      servo = stages.servo->step(time.now());
+      if (const auto frame = equipment.cameras->next(Seconds(0.0))) {
+        stages.control.frameCame(frame->exposed_at);
+        stages.control.report(stages.boards.process(*frame));
+      }
+      if (control_lives && cycle % 10 == 0) stages.control.step(time.now());
+    }
+    return -1;
+  };
+  const auto isMoving = [&] {
+    return servo.commanded.v_rad_s.size() > 0 && servo.commanded.v_rad_s.norm() > 0.1;
+  };
+  const auto asked =
+      stages.control.request({.action = CalibrationAction::kBegin, .job = Job::kStereo, .board = kPlate});
+  ASSERT_EQ(asked, Answer::kAccepted);
+  const auto seen = [&] { return stages.snapshot().views && !stages.snapshot().views->empty(); };
+  ASSERT_GE(runUntil(seen), 0);
+  static_cast<void>(stages.control.request({.action = CalibrationAction::kSetDriving, .on = true}));
+  ASSERT_GE(runUntil(isMoving), 0);
+  control_lives = false;
+  const int cycles = runUntil([&] { return servo.stop != control::StopReason::kNone; });
+  EXPECT_EQ(servo.stop, control::StopReason::kPlannerSilent);
+  EXPECT_LE(cycles, 152);
+  EXPECT_LE(runUntil([&] { return servo.at_rest; }), 500);
+}
+
+TEST(CalibrationControl, AStopJustBeforeItIsLeftLeavesItsBlackBox) {
+  BenchCalibration bench;
+  ASSERT_EQ(bench.begin(Job::kStereo), Answer::kAccepted);
+  ASSERT_EQ(bench.drive(), Answer::kAccepted);
+  ASSERT_TRUE(bench.waitFor(isUnderWay, Seconds(3.0)));
+  bench.station().stop(control::StopReason::kOperator);
+  bench.wait(Seconds(0.02));
+  bench.end();
+  const auto boxes = std::ranges::count_if(
+      std::filesystem::directory_iterator(bench.scratch()),
+      [](const auto& file) { return file.path().filename().string().starts_with("stop-"); });
+  EXPECT_EQ(boxes, 1);
 }
 
 TEST(CalibrationControl, ASilentRobotEndsTheDriving) {

@@ -18,6 +18,7 @@ class OnItsThreads : public ::testing::Test {
     calibration.folder = folder_.path();
     calibration.supervisor.camera_silent_after = Seconds(2.0);  // other tests may run beside
     calibration.supervisor.servo_late_after = Seconds(2.0);
+    calibration.supervisor.planner_silent_after = Seconds(2.0);
     station_ = std::make_unique<CalibrationStation>(equipmentOf(*bench_), calibration);
   }
 
