@@ -48,6 +48,8 @@ class PlanningDesk {
     if (answer && open_ && answer->number == open_->number) open_.reset();
     return answer;
   }
+  /// Control thread. An answer is not waited for any more.
+  void withdraw() noexcept { open_.reset(); }
   /// Control thread. How long the newest question has been waiting; 0 when it was answered.
   [[nodiscard]] Seconds waiting(TimePoint now) const noexcept {
     return open_ ? Seconds(now - open_->since) : Seconds(0.0);

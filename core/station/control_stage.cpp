@@ -212,6 +212,7 @@ Answer ControlStage::start() {
   }
   recordEvent("started");
   follower_.reset();
+  desk_.withdraw();
   return Answer::kAccepted;
 }
 
@@ -233,6 +234,7 @@ void ControlStage::follow() {
   const control::PlanAnswer* const answer = desk_.takeAnswer();
   if (state_.phase != Phase::kTraining || stopLatched()) return;
   if (desk_.waiting(now_) > kPlanningPatience) servo_.stop(control::StopReason::kPlannerSilent);
+  if (answer && !state_.target_fresh) follower_.reset();  // asked again when the target is back
   if (!state_.target_fresh) return;
   const auto& servo = state_.servo;
   if (answer) obey(follower_.take(*answer, servo.commanded, servo.time));
