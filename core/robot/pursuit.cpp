@@ -109,6 +109,7 @@ class Trajectory::Pursuit {
       joint.append(piece.duration_s, cubic(state, piece.jerk));
       state = after(state, piece);
     }
+    if (joint.piece_count == 0) joint.append(0.0, {state.q});
   }
 
   double goal_ = 0.0, goal_speed_ = 0.0;

@@ -1,3 +1,5 @@
+#include <array>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -93,6 +95,31 @@ TEST(Pursuit, AGoalThatLeavesTheRangeIsNotFollowedThere) {
   const Trajectory motion =
       Trajectory::pursuit(restAt(goal.q_rad - 0.005 * Joints::Unit(7, 0)), goal, after(0), limits);
   for (double t = 0.0; t < 2.0; t += 0.01) EXPECT_LE(motion.at(after(t)).q_rad[0], limits.upper_rad[0]);
+}
+
+TEST(Pursuit, WithoutAHorizonItComesToRest) {
+  const Joints q = testing::working();
+  const MovingGoal goal{q + Joints::Constant(7, 0.01), Joints::Constant(7, 0.1)};
+  const Trajectory motion =
+      Trajectory::pursuit(restAt(q), goal, after(0), therapy(), {.catch_up = {}, .horizon = {}});
+  EXPECT_EQ(motion.at(after(0)).q_rad, q);
+  EXPECT_EQ(motion.at(after(1)).q_rad, q);
+  EXPECT_TRUE(motion.at(after(1)).v_rad_s.isZero(0.0));
+}
+
+TEST(Pursuit, ANumberThatIsNoneStaysInItsJoint) {
+  for (std::size_t which = 0; which < 5; ++which) {
+    MotionState from = restAt(testing::working());
+    MovingGoal goal{from.q_rad, Joints::Constant(7, 0.1)};
+    const std::array<Joints*, 5> inputs{&from.q_rad, &from.v_rad_s, &from.a_rad_s2, &goal.q_rad,
+                                        &goal.v_rad_s};
+    (*inputs[which])[3] = std::numeric_limits<double>::quiet_NaN();
+    const Trajectory motion = Trajectory::pursuit(from, goal, after(0), therapy());
+    for (double t = 0.0; t < 0.3; t += 0.01) {
+      EXPECT_TRUE(motion.at(after(t)).q_rad.head(3).allFinite()) << which << " at " << t;
+      EXPECT_TRUE(motion.at(after(t)).q_rad.tail(3).allFinite()) << which << " at " << t;
+    }
+  }
 }
 
 TEST(Pursuit, SmallDistancesAreCaughtUpWithEvenly) {
