@@ -215,8 +215,10 @@ struct ServoLoop::Body {
     const bool learning = vitals.following && state.permit == Permit::kMove;
     assist.adapt(last.q_rad, state.measured.q_rad, kinematics, learning);
     const auto sent = link.command({last.q_rad, assist.compliance(kinematics.jointCount())});
-    // A silent robot is the watchdog's business.
-    if (sent || sent.error() == LinkFault::kNoAnswer) return;
+    if (sent) return;
+    // How long it may be silent is the watchdog's business. But it brakes by itself, or is told to now, and
+    // would hurry after commands that went on without it: it is taken over anew once it rests.
+    if (sent.error() == LinkFault::kNoAnswer) return halt();
     vitals.fault = sent.error();
     latch.stop(supervise(vitals, settings).reason);
     stop.category = StopCategory::kOne;

@@ -18,8 +18,9 @@ namespace mirrorarm::control {
 /// thread (the servo thread). step() does not allocate, lock or log.
 ///
 /// Whatever goes wrong, the robot is braked, in the category that the reason asks for (StopCategory): by
-/// commands within the limits, or by its own halt. After a halt, and before the first cycle, it is driven
-/// only once it was read at rest. A motion begins softly (SoftStart) from where the robot is, or not at all.
+/// commands within the limits, or by its own halt. After a halt, a command that did not reach it, and before
+/// the first cycle, it is driven only once it was read at rest. A motion begins softly (SoftStart) from where
+/// the robot is, or not at all.
 class ServoLoop {
  public:
   /// `clearance` is what the arm must keep away from; nothing by itself.

@@ -19,6 +19,18 @@ constexpr std::uint16_t kAllIsWell = 1, kDenied = 5, kDisabled = 15;
 constexpr std::size_t kPiece = 4096;
 constexpr int kMostPieces = 8;  // a cycle: a flood must not hold up the robot
 
+/// Whichever way the loop is left, an exception's too.
+class HaltsAtTheEnd {
+ public:
+  explicit HaltsAtTheEnd(robot::RobotLink& robot) : robot_(robot) {}
+  ~HaltsAtTheEnd() { haltToRest(robot_); }
+  HaltsAtTheEnd(const HaltsAtTheEnd&) = delete;
+  HaltsAtTheEnd& operator=(const HaltsAtTheEnd&) = delete;
+
+ private:
+  robot::RobotLink& robot_;
+};
+
 void sendStatus(const TcpSocket& socket, std::uint16_t code, const std::string& text) {
   static_cast<void>(socket.send(igtlBytes(statusMessage(code, text))));
 }
@@ -66,6 +78,7 @@ IgtlRobotHost::IgtlRobotHost(const IgtlRobotHostSettings& settings, const robot:
 }
 
 void IgtlRobotHost::run(const std::stop_token& stop, Seconds longest) {
+  const HaltsAtTheEnd halts(robot_);
   const TimePoint end = Clock::now() + toClock(longest);
   TimePoint due = Clock::now();
   while (!stop.stop_requested() && Clock::now() < end) {
@@ -77,7 +90,6 @@ void IgtlRobotHost::run(const std::stop_token& stop, Seconds longest) {
     }
     cycle();
   }
-  haltToRest(robot_);
 }
 
 void IgtlRobotHost::cycle() {

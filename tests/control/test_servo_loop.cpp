@@ -30,10 +30,8 @@ class Bench {
     robot.now = now;
     if (target_seen) seen_at = now;
     loop.setTracking({seen_at, seen_at, following});
-    const int halts = robot.halts;
     state = loop.step(now);
-    if (robot.halts != halts) speed.resize(0);
-    expectLimits(state.commanded.q_rad, robot.halts == halts);
+    expectLimits(state.commanded.q_rad, state.sent.q_rad.size() > 0);
     return state;
   }
 
@@ -190,9 +188,10 @@ TEST(ServoLoop, AFewLostAnswersAreBridged) {
   bench.robot.fault = LinkFault::kNoAnswer;
   bench.run(0.03);
   bench.robot.fault = LinkFault::kNone;
+  const Joints rest = bench.robot.q();
   bench.run(0.5);
   EXPECT_EQ(bench.state.stop, StopReason::kNone);
-  EXPECT_EQ(bench.robot.halts, 0);
+  EXPECT_GT((bench.robot.q() - rest).norm(), 0.01) << "it goes on from rest";
 }
 
 TEST(ServoLoop, SilentRobotIsHalted) {
