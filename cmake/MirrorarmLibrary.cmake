@@ -8,9 +8,10 @@ function(mirrorarm_library name)
 endfunction()
 
 # mirrorarm_test(NAME SOURCES a.cpp .. LINK ..): one GoogleTest program, found by ctest test by test.
+# ALONE: they run in real time, so ctest runs nothing beside them.
 # Tests read real data from the folder SHARED_DATA and skip where it is absent.
 function(mirrorarm_test name)
-  cmake_parse_arguments(arg "GUI" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "ALONE;GUI" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} GTest::gtest $<$<NOT:$<BOOL:${arg_GUI}>>:GTest::gtest_main>)
   target_compile_definitions(test_${name} PRIVATE
@@ -19,6 +20,7 @@ function(mirrorarm_test name)
     add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/under_xvfb.sh $<TARGET_FILE:test_${name}>)
   else()
     include(GoogleTest)
-    gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
+    gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
+                         PROPERTIES RUN_SERIAL ${arg_ALONE})
   endif()
 endfunction()

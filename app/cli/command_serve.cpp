@@ -5,10 +5,11 @@
 #include <thread>
 
 #include "app/cli/commands.h"
+#include "app/robot_option/robot_option.h"
 #include "core/common/resources.h"
+#include "core/devices/fri_datagram.h"
 #include "core/devices/igtl_robot_host.h"
 #include "core/devices/real_time.h"
-#include "core/devices/robot_address.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/urdf.h"
 #include "core/simulation/bench_layout.h"
@@ -19,14 +20,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookEvery{100};
 constexpr Seconds kForEver = std::chrono::hours(24 * 365);
-constexpr Seconds kConnectPatience{5.0};
 
 volatile std::sig_atomic_t interrupted = 0;
 
 struct Wish {
   devices::IgtlRobotHostSettings host;
-  devices::FriLinkSettings fri;
-  std::string robot = "simulated";
+  app::RobotOption robot;
   std::filesystem::path arm = resourceFolder() / "robots/lbr4plus.urdf";
   double period_ms = 4.0;
   double seconds = 0.0;
@@ -43,12 +42,10 @@ std::unique_ptr<robot::RobotLink> simulatedRobot(const robot::ArmDescription& ar
 
 std::unique_ptr<robot::RobotLink> robotOf(const Wish& wish, const robot::ArmDescription& arm,
                                           const TimeSource& time) {
-  const auto address = devices::robotAddressOf(wish.robot);
-  if (!address) throw InputRefused("--robot: " + address.error());
-  if (address->kind == devices::RobotAddress::Kind::kSimulated) return simulatedRobot(arm, time, wish.seed);
-  if (address->kind == devices::RobotAddress::Kind::kFri && arm.joints.size() != devices::kFriJoints)
+  if (wish.robot.isSimulated()) return simulatedRobot(arm, time, wish.seed);
+  if (wish.robot.robot.starts_with("fri:") && arm.joints.size() != devices::kFriJoints)
     throw InputRefused(wish.arm.string() + ": FRI drives arms of seven joints");
-  auto link = devices::openRobot(*address, wish.fri, kConnectPatience);
+  auto link = app::openRobot(wish.robot);
   if (!link) throw CommandFailed(link.error());
   return std::move(*link);
 }
@@ -77,7 +74,7 @@ void serveRobot(Wish& wish, Context& context) {
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGTERM, [](int) { interrupted = 1; });
   const auto grant = devices::askForRealTime();
-  std::cerr << "serving " << wish.robot << " on port " << (*host)->port()
+  std::cerr << "serving " << wish.robot.robot << " on port " << (*host)->port()
             << (wish.host.allow_motion ? "" : ", without motion") << "; " << schedulingLine(grant) << "\n";
   std::stop_source end;
   const std::jthread watcher([&end](const std::stop_token& done) {
@@ -93,9 +90,7 @@ void addRobot(CLI::App& serve, Context& context) {
                                  "mirrorarm-cli serve robot --robot fri:192.168.0.100:49938 --address "
                                  "10.0.0.2 --allow 10.0.0.1 --allow-motion");
   const auto wish = std::make_shared<Wish>();
-  command->add_option("--robot", wish->robot, "simulated, fri:[ADDRESS:]PORT or igtl:HOST[:PORT]")
-      ->capture_default_str();
-  command->add_option("--controller", wish->fri.controller, "The only controller that is answered (fri)");
+  app::addRobotOption(*command, wish->robot);
   command->add_option("--arm", wish->arm, "URDF of the arm: its ranges and speeds are kept")
       ->capture_default_str();
   command->add_option("--address", wish->host.address, "Own address to listen at")->capture_default_str();

@@ -6,6 +6,7 @@
 #include "app/cli/method_option.h"
 #include "app/cli/pose_audit.h"
 #include "app/cli/session_files.h"
+#include "app/robot_option/robot_option.h"
 #include "core/common/atomic_file.h"
 #include "core/common/resources.h"
 #include "core/records/store.h"
@@ -29,6 +30,7 @@ struct Options {
   std::string lens = "kannala_brandt";
   vision::CentreMethod method = vision::FinderSettings{}.method;
   bool fast = false;
+  app::RobotOption robot;
 };
 
 simulation::BenchSettings benchSettings(const Options& options) {
@@ -60,9 +62,7 @@ void work(station::SessionScript& script, PoseAudit& audit, Advance advance) {
   for (;;) {
     const auto progress = script.step(advance());
     audit.look(script.seen());
-    if (progress == station::SessionScript::Progress::kDone) return;
-    if (progress == station::SessionScript::Progress::kFailed)
-      throw CommandFailed("the session ended early: " + script.failure());
+    if (progress != station::SessionScript::Progress::kRunning) return;
   }
 }
 
@@ -71,10 +71,12 @@ struct Outcome {
   station::RecordState record;
   int stops = 0;
   int reteachings = 0;
+  std::string failure;  ///< why it ended early; empty where it did not
 };
 
 Outcome outcomeOf(const station::SessionScript& script) {
-  return {script.seen().record, script.stops(), script.seen().frame->reteachings};
+  const auto& seen = script.seen();
+  return {seen.record, script.stops(), seen.frame ? seen.frame->reteachings : 0, script.failure()};
 }
 
 Outcome runFast(simulation::Bench& bench, ManualTime& time, const Options& options,
@@ -136,19 +138,28 @@ void session(const Options& options, Context& context) {
   script.training = Seconds(options.seconds);
   script.mapping = *therapy::mappingOf(options.mapping);
   const auto bench_settings = benchSettings(options);
+  if (options.fast && !options.robot.isSimulated())
+    throw InputRefused("--fast: only the simulated robot keeps a clock of its own, not " +
+                       options.robot.robot);
   ManualTime manual;
   const SteadyTime steady;
   if (options.fast) manual.set(TimePoint(toClock(Seconds(1.0))));
   const TimeSource& time = options.fast ? static_cast<const TimeSource&>(manual) : steady;
-  const auto bench = orRefuse(simulation::Bench::make(bench_settings, time));
+  auto robot = app::openBenchRobot(options.robot);
+  if (!robot) throw CommandFailed(robot.error());
+  const auto bench = orRefuse(simulation::Bench::make(bench_settings, time, std::move(*robot)));
   std::filesystem::create_directories(options.out);
   PoseAudit audit(*bench);
   const Outcome outcome = options.fast ? runFast(*bench, manual, options, script, audit)
                                        : runInRealTime(*bench, options, script, audit);
+  const CommandFailed ended_early("the session ended early: " + outcome.failure);
   if (outcome.record.recording != station::Recording::kComplete)
-    throw CommandFailed("the session's record is not complete: " + std::string(id(outcome.record.recording)));
+    throw outcome.failure.empty()
+        ? CommandFailed("the session's record is not complete: " + std::string(id(outcome.record.recording)))
+        : ended_early;
   context.result = resultOf(options, outcome, audit);
   writeFiles(options, outcome, bench->X_FE(), context.result);
+  if (!outcome.failure.empty()) throw ended_early;
   if (!context.json) std::cout << context.result.dump(2) << std::endl;
 }
 
@@ -169,6 +180,7 @@ void addSession(CLI::App& app, Context& context) {
   command->add_option("--lens", options->lens, "kannala_brandt or brown_conrady")
       ->check(CLI::IsMember({"kannala_brandt", "brown_conrady"}));
   addMethodOption(*command, options->method);
+  app::addRobotOption(*command, options->robot);
   command->add_flag("--fast", options->fast, "As fast as it computes, on a clock of its own");
   command->callback([options, &context] { session(*options, context); });
 }

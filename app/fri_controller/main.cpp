@@ -8,8 +8,11 @@
 
 #include "core/common/csv.h"
 #include "core/common/resources.h"
+#include "core/devices/real_time.h"
 #include "core/peers/fri_controller_host.h"
+#include "core/robot/kinematics.h"
 #include "core/robot/urdf.h"
+#include "core/simulation/bench_layout.h"
 
 namespace {
 
@@ -29,7 +32,7 @@ class InputRefused : public std::runtime_error {
 struct Options {
   peers::FriControllerHostSettings host;
   std::filesystem::path arm = resourceFolder() / "robots/lbr4plus.urdf";
-  std::string start_deg = "0,45,0,-60,0,60,0";
+  std::string start_deg;  ///< empty: where the simulated bench begins
   std::vector<std::string> faults;
   std::filesystem::path fault_file;
   double period_ms = 1.0;
@@ -45,7 +48,16 @@ robot::ArmDescription armOf(const Options& options) {
   return *arm;
 }
 
+robot::Joints benchStart(const Options& options, const robot::ArmDescription& arm) {
+  const auto start = simulation::bench_layout::startPosture(robot::Kinematics(arm));
+  if (!start)
+    throw InputRefused("--start: is wanted, for " + options.arm.string() +
+                       " does not reach where the simulated bench begins");
+  return *start;
+}
+
 robot::Joints startOf(const Options& options, const robot::ArmDescription& arm) {
+  if (options.start_deg.empty()) return benchStart(options, arm);
   const auto cells = splitCells(options.start_deg, ',');
   robot::Joints start(devices::kFriJoints);
   for (std::size_t i = 0; i < devices::kFriJoints; ++i) {
@@ -102,6 +114,8 @@ void run(Options& options) {
   options.host.faults = faultsOf(options);
   const auto host = peers::FriControllerHost::open(options.host, arm, startOf(options, arm));
   if (!host) throw InputRefused(host.error());
+  std::cerr << "calling " << options.host.host << ":" << options.host.port << "; "
+            << schedulingLine(devices::askForRealTime()) << "\n";
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGTERM, [](int) { interrupted = 1; });
   const TimePoint begin = Clock::now();
@@ -124,7 +138,9 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(1.0, 100.0))
       ->capture_default_str();
   app.add_option("--robot", options.arm, "URDF of the arm")->capture_default_str();
-  app.add_option("--start", options.start_deg, "Angles to rest at [deg]")->capture_default_str();
+  app.add_option(
+      "--start", options.start_deg,
+      "Angles to rest at [deg], as 0,45,0,-60,0,60,0; where the simulated bench begins unless given");
   app.add_option("--fault", options.faults, "[answer-]KIND[:SHARE][@FROM_S[+FOR_S]], as lost:0.01@5+2")
       ->delimiter(',');
   app.add_option("--faults", options.fault_file, "A file with one fault a line");

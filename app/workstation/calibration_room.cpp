@@ -40,12 +40,15 @@ ui::InForceView inForceIn(const calibration::CalibrationFolder& folder, const ca
 
 }  // namespace
 
-Expected<Leaving, std::string> runCalibration(const WorkstationOrder& order, const ui::Themes& themes) {
+Expected<Leaving, NotOpened> runCalibration(const WorkstationOrder& order, const ui::Themes& themes) {
   const calibration::CalibrationFolder folder(calibrationsOf(order));
-  if (const auto in_force = folder.read(); !in_force) return unexpected(describe(in_force.error()));
+  if (const auto in_force = folder.read(); !in_force)
+    return unexpected(NotOpened{describe(in_force.error())});
   const SteadyTime time;
-  const auto bench = simulation::Bench::make(benchSettings(order), time);
-  if (!bench) return unexpected(describe(bench.error()));
+  auto robot = app::openBenchRobot(order.robot);
+  if (!robot) return unexpected(NotOpened{robot.error(), kFailed});
+  const auto bench = simulation::Bench::make(benchSettings(order), time, std::move(*robot));
+  if (!bench) return unexpected(NotOpened{describe(bench.error())});
   const auto equipment = station::equipmentOf(**bench);
   station::CalibrationStation station(equipment, stationSettings(order));
   ui::CalibrationWindow window(station, {kPlate, equipment.simulated}, themes,

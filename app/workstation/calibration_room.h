@@ -9,7 +9,7 @@ namespace mirrorarm::workstation {
 
 /// Opens the bench with the calibration plate, its station and the wizards' window, and closes them all
 /// again. The error is the reason why it could not be opened.
-[[nodiscard]] Expected<Leaving, std::string> runCalibration(const WorkstationOrder& order,
-                                                            const ui::Themes& themes);
+[[nodiscard]] Expected<Leaving, NotOpened> runCalibration(const WorkstationOrder& order,
+                                                          const ui::Themes& themes);
 
 }  // namespace mirrorarm::workstation

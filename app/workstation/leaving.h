@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/workstation/exit_code.h"
 
 namespace mirrorarm::workstation {
@@ -12,6 +14,12 @@ struct Leaving {
   int exit_code = kDone;
   Room next = Room::kNone;
   bool dark = false;  ///< the theme that the next room takes over
+};
+
+/// Why a room could not be opened.
+struct NotOpened {
+  std::string reason;
+  ExitCode exit_code = kWrongUse;
 };
 
 }  // namespace mirrorarm::workstation

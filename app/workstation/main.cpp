@@ -47,6 +47,7 @@ void addWindowOptions(CLI::App& app, WorkstationOrder& order) {
   app.add_option("--seed", order.seed, "Of the simulated sensors' noise")
       ->type_name("N")
       ->capture_default_str();
+  app::addRobotOption(app, order.robot);
   app.add_flag("--enabling-key", order.enabling_key,
                "Motion only while the enabling key, F11 or a pedal, is held");
   app.add_flag("--help-as-needed", order.help_as_needed,

@@ -31,7 +31,7 @@ int runRooms(WorkstationOrder order, const ui::Themes& themes) {
   auto room = order.calibrate ? Room::kCalibration : Room::kSession;
   while (room != Room::kNone) {
     const auto left = room == Room::kSession ? runSession(order, themes) : runCalibration(order, themes);
-    if (!left) return tell(kWrongUse, left.error());
+    if (!left) return tell(left.error().exit_code, left.error().reason);
     if (left->exit_code != kDone) return left->exit_code;
     room = left->next;
     order.dark = left->dark;

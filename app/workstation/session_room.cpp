@@ -25,6 +25,10 @@ simulation::BenchSettings benchSettings(const WorkstationOrder& order) {
   return settings;
 }
 
+robot::GivesWay givesWay(const WorkstationOrder& order) {
+  return order.help_as_needed ? robot::GivesWay::kInJoints : robot::GivesWay::kNot;
+}
+
 station::StationSettings stationSettings(const WorkstationOrder& order) {
   const auto store = storeOf(order);
   station::StationSettings settings;
@@ -61,12 +65,14 @@ void instructPatient(ui::SessionPresenter& session, simulation::Bench& bench) {
 
 }  // namespace
 
-Expected<Leaving, std::string> runSession(const WorkstationOrder& order, const ui::Themes& themes) {
+Expected<Leaving, NotOpened> runSession(const WorkstationOrder& order, const ui::Themes& themes) {
   const auto in_force = calibration::CalibrationFolder(calibrationsOf(order)).read();
-  if (!in_force) return unexpected(describe(in_force.error()));
+  if (!in_force) return unexpected(NotOpened{describe(in_force.error())});
   const SteadyTime time;
-  const auto bench = simulation::Bench::make(benchSettings(order), time);
-  if (!bench) return unexpected(describe(bench.error()));
+  auto robot = app::openBenchRobot(order.robot, givesWay(order));
+  if (!robot) return unexpected(NotOpened{robot.error(), kFailed});
+  const auto bench = simulation::Bench::make(benchSettings(order), time, std::move(*robot));
+  if (!bench) return unexpected(NotOpened{describe(bench.error())});
 
   const auto store = storeOf(order);
   std::filesystem::create_directories(store.parent_path().empty() ? "." : store.parent_path());

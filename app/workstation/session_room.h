@@ -9,7 +9,7 @@ namespace mirrorarm::workstation {
 
 /// Opens the bench with the patient, its station and the session's window, and closes them all again. The
 /// error is the reason why it could not be opened.
-[[nodiscard]] Expected<Leaving, std::string> runSession(const WorkstationOrder& order,
-                                                        const ui::Themes& themes);
+[[nodiscard]] Expected<Leaving, NotOpened> runSession(const WorkstationOrder& order,
+                                                      const ui::Themes& themes);
 
 }  // namespace mirrorarm::workstation

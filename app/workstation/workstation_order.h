@@ -6,11 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "app/robot_option/robot_option.h"
 #include "core/station/calibration_command.h"
 
 namespace mirrorarm::workstation {
 
-/// How the workstation is opened on the simulated bench.
+/// How the workstation is opened on the simulated bench, whose hand another robot may carry.
 struct WorkstationOrder {
   std::filesystem::path store;                       ///< records; empty: the user's own store
   std::filesystem::path calibrations;                ///< folder of the calibrations; empty: the user's own
@@ -18,6 +19,7 @@ struct WorkstationOrder {
   std::filesystem::path motion;  ///< a TRC file that moves the healthy arm; empty: `exercise`
   std::string exercise = "reach";
   std::uint64_t seed = 1;
+  app::RobotOption robot;
   bool enabling_key = false;    ///< motion only while the enabling key is held
   bool help_as_needed = false;  ///< the robot gives way and adapts its help
   bool dark = false;

@@ -40,12 +40,21 @@ FriLink::FriLink(FriLinkSettings settings, UdpSocket socket, std::optional<std::
 void FriLink::awaitCycle(Seconds longest) noexcept {
   answer();
   fresh_ = false;
+  if (Clock::now() - looked_at_ > settings_.session.silent_after) beginAnew();
   const TimePoint end = Clock::now() + toClock(longest);
   // A step of the servo loop stands for a period of the arm: nothing else that comes may make one.
   for (Seconds left = longest; !fresh_ && left > Seconds(0.0); left = end - Clock::now())
     if (socket_.wait(left)) takeAll();
+  looked_at_ = Clock::now();
   if (!fresh_ && Clock::now() - arrived_at_ > settings_.session.silent_after) session_.silence();
   publish();
+}
+
+/// What has waited for so long is of the past, and the newest may have found no room behind it.
+void FriLink::beginAnew() noexcept {
+  std::array<std::byte, kFriMeasurementSize> bytes;
+  for (int i = 0; i < kMostAtOnce && socket_.receive(bytes); ++i) ++statistics_.overtaken;
+  session_.silence();
 }
 
 bool FriLink::isController(UdpPeer peer) const noexcept {

@@ -43,7 +43,9 @@ struct FriLinkStatistics {
 };
 
 /// The arm of an LBR 4+ over FRI 1.0 (UDP): answers every datagram of the controller from the servo thread,
-/// mirroring while no commands come. The controller sets the pace. See FriSession for what moves when.
+/// mirroring while no commands come. The controller sets the pace. Whoever stays away for longer than
+/// FriSettings::silent_after was silent to the controller and begins anew. See FriSession for what moves
+/// when.
 class FriLink final : public robot::RobotLink {
  public:
   /// The error is why the address cannot be had.
@@ -69,6 +71,7 @@ class FriLink final : public robot::RobotLink {
 
  private:
   FriLink(FriLinkSettings settings, UdpSocket socket, std::optional<std::uint32_t> controller);
+  void beginAnew() noexcept;
   void takeAll() noexcept;
   [[nodiscard]] bool isController(UdpPeer peer) const noexcept;
   void take(const FriMeasurement& measurement, const ReceivedDatagram& datagram) noexcept;
@@ -82,6 +85,7 @@ class FriLink final : public robot::RobotLink {
   JointSpeed speed_;
   UdpPeer peer_;
   TimePoint arrived_at_{};
+  TimePoint looked_at_{};                ///< when the last awaitCycle() ended
   bool fresh_ = false;                   ///< a datagram came in this cycle
   bool unanswered_ = false;              ///< and waits for its answer
   std::array<TimePoint, 16> sent_at_{};  ///< of the last answers, by their sequence

@@ -30,6 +30,8 @@ void IgtlRobotLink::awaitCycle(Seconds longest) noexcept {
     if (left <= Seconds(0.0) || !socket_.wait(left)) return;
     takeAll();
   }
+  // A line that is closed must not make its thread spin.
+  if (!fresh_) std::this_thread::sleep_until(end);
 }
 
 void IgtlRobotLink::takeAll() noexcept {

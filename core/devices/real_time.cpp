@@ -43,7 +43,7 @@ RealTimeGrant askForRealTime(int priority) noexcept {
 }
 
 std::string schedulingLine(const RealTimeGrant& grant) {
-  if (grant.scheduling_error == 0) return "SCHED_FIFO is granted to the servo thread";
+  if (grant.scheduling_error == 0) return "SCHED_FIFO is granted";
   return std::string("SCHED_FIFO refused (") + std::strerror(grant.scheduling_error) +
          "): add '@realtime - rtprio 90' to /etc/security/limits.conf";
 }

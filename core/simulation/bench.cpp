@@ -2,10 +2,10 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 
 #include "core/camera/rig_file.h"
 #include "core/robot/kinematics.h"
-#include "core/robot/urdf.h"
 #include "core/simulation/bench_layout.h"
 #include "core/simulation/exercise_motion.h"
 #include "core/simulation/movement_phase.h"
@@ -68,7 +68,8 @@ struct Bench::Body {
   std::shared_ptr<const ArmMotion> motion;  ///< none where a plate stands
   std::vector<Patch> plate_B;
   SharedKinematics kinematics;
-  SimulatedRobot robot;
+  std::unique_ptr<RiddenRobot> ridden;
+  std::optional<SimulatedRobot> own_robot;  ///< where none is ridden
   SimulatedCameras cameras;
   MovementPhase phase;
   std::atomic<bool> target_hidden{false};
@@ -81,6 +82,7 @@ struct Bench::Body {
     std::vector<robot::Obstacle> surroundings;
     std::shared_ptr<const ArmMotion> motion;
     robot::Joints start;
+    std::unique_ptr<RiddenRobot> ridden;
   };
   Body(Parts parts, robot::Kinematics forward, const BenchSettings& settings, const TimeSource& time_source)
       : time(time_source),
@@ -91,7 +93,7 @@ struct Bench::Body {
         surroundings(std::move(parts.surroundings)),
         motion(std::move(parts.motion)),
         kinematics(std::move(forward)),
-        robot(arm, parts.start, time_source, robotSettings(settings, hand.X_FE)),
+        ridden(std::move(parts.ridden)),
         cameras(
             rig, {}, {},
             {settings.rate_hz, settings.exposure, settings.transfer, settings.own_pace,
@@ -99,12 +101,17 @@ struct Bench::Body {
             [this](TimePoint at, StereoRenderer::Instant& patches_C) { look(at, patches_C); }, time_source,
             settings.seed),
         seen_discs(static_cast<std::size_t>(motion ? motion->discCount() : 0)) {
+    if (!ridden) own_robot.emplace(arm, parts.start, time_source, robotSettings(settings, hand.X_FE));
     if (!settings.plate) return;
     for (const Patch& patch_M : settings.plate->patches_M)
       plate_B.push_back(transformed(settings.plate->X_BM, patch_M));
   }
 
-  [[nodiscard]] RigidTransform flangeAt(TimePoint at) const { return kinematics.flange(robot.jointsAt(at)); }
+  [[nodiscard]] RigidTransform flangeAt(TimePoint at) const {
+    return kinematics.flange(ridden ? ridden->jointsAt(at) : own_robot->jointsAt(at));
+  }
+
+  [[nodiscard]] SlingLoad* load() { return own_robot ? own_robot->load() : nullptr; }
 
   void look(TimePoint at, StereoRenderer::Instant& patches_C) {
     const RigidTransform X_CB = (flangeAt(at) * hand.X_FC).inverse();
@@ -118,11 +125,11 @@ struct Bench::Body {
   }
 };
 
-FromFile<std::unique_ptr<Bench>> Bench::make(const BenchSettings& settings, const TimeSource& time) {
+FromFile<std::unique_ptr<Bench>> Bench::make(const BenchSettings& settings, const TimeSource& time,
+                                             std::unique_ptr<RiddenRobot> ridden) {
   auto rig = camera::readRig(bench_layout::rigFile(settings.resources, settings.lens));
   if (!rig) return unexpected(rig.error());
-  const auto urdf = settings.resources / "robots/lbr4plus.urdf";
-  auto arm = robot::readUrdf(urdf);
+  auto arm = bench_layout::arm(settings.resources);
   if (!arm) return unexpected(arm.error());
   auto hand = bench_layout::hand(settings.resources);
   if (!hand) return unexpected(hand.error());
@@ -133,9 +140,10 @@ FromFile<std::unique_ptr<Bench>> Bench::make(const BenchSettings& settings, cons
   robot::Kinematics kinematics(*arm);
   const auto start = bench_layout::startPosture(kinematics);
   if (!start)
-    return unexpected(FileError{urdf, 0, "describes an arm that does not reach the bench's start pose"});
-  Body::Parts parts{std::move(*rig),          std::move(*arm),    std::move(*hand),
-                    std::move(*surroundings), std::move(*motion), *start};
+    return unexpected(
+        FileError{settings.resources, 0, "holds an arm that does not reach the bench's start pose"});
+  Body::Parts parts{std::move(*rig),    std::move(*arm), std::move(*hand), std::move(*surroundings),
+                    std::move(*motion), *start,          std::move(ridden)};
   auto body = std::make_unique<Body>(std::move(parts), std::move(kinematics), settings, time);
   return std::unique_ptr<Bench>(new Bench(std::move(body)));
 }
@@ -144,7 +152,10 @@ Bench::Bench(std::unique_ptr<Body> body) : body_(std::move(body)) {}
 Bench::~Bench() = default;
 
 camera::FrameSource& Bench::cameras() { return body_->cameras; }
-robot::RobotLink& Bench::robot() { return body_->robot; }
+robot::RobotLink& Bench::robot() {
+  if (body_->ridden) return *body_->ridden;
+  return *body_->own_robot;
+}
 const camera::StereoRig& Bench::rig() const { return body_->rig; }
 const robot::ArmDescription& Bench::arm() const { return body_->arm; }
 const RigidTransform& Bench::X_FC() const { return body_->hand.X_FC; }
@@ -168,14 +179,18 @@ Bench::Truth Bench::truthAt(TimePoint time) const {
 
 void Bench::failCameras(bool failed) { body_->cameras.fail(failed); }
 void Bench::hideTarget(bool hidden) { body_->target_hidden.store(hidden, std::memory_order_relaxed); }
-void Bench::silenceRobot(bool silent) { body_->robot.silence(silent); }
-void Bench::disturbRobotLine(const LineFaults& faults) { body_->robot.disturbLine(faults); }
+void Bench::silenceRobot(bool silent) {
+  if (body_->own_robot) body_->own_robot->silence(silent);
+}
+void Bench::disturbRobotLine(const LineFaults& faults) {
+  if (body_->own_robot) body_->own_robot->disturbLine(faults);
+}
 
 void Bench::setPatientEffort(double share) {
-  if (SlingLoad* const load = body_->robot.load()) load->setEffort(share);
+  if (SlingLoad* const load = body_->load()) load->setEffort(share);
 }
 void Bench::pushSling(const Eigen::Vector3d& force_B_n) {
-  if (SlingLoad* const load = body_->robot.load()) load->push(force_B_n);
+  if (SlingLoad* const load = body_->load()) load->push(force_B_n);
 }
 
 }  // namespace mirrorarm::simulation

@@ -18,6 +18,7 @@
 #include "core/simulation/arm_motion.h"
 #include "core/simulation/line_faults.h"
 #include "core/simulation/patch.h"
+#include "core/simulation/ridden_robot.h"
 #include "core/simulation/sling_load.h"
 
 namespace mirrorarm::simulation {
@@ -55,13 +56,16 @@ struct BenchSettings {
 
 /// A bench that needs no hardware: LBR 4+ with stereo camera and sling on its flange, a passive impaired arm
 /// in the sling, a healthy forearm with ten discs beside it; or a calibration plate in place of both arms.
-/// Everything moves in one world, so the cameras see what the robot does. Cameras and robot are used from
-/// their own threads; truth and faults from any.
+/// Everything moves in one world, so the cameras see what the robot does. Another robot may carry the hand in
+/// place of the simulated one: then the world rides on what that one measures. Cameras and robot are used
+/// from their own threads; truth and faults from any.
 class Bench {
  public:
-  /// `time` outlives the bench. Refused: missing or wrong resources, a TRC that lacks forearm markers.
+  /// `time` outlives the bench; with a robot from outside it is the steady clock. Refused: missing or wrong
+  /// resources, a TRC that lacks forearm markers.
   [[nodiscard]] static FromFile<std::unique_ptr<Bench>> make(const BenchSettings& settings,
-                                                             const TimeSource& time);
+                                                             const TimeSource& time,
+                                                             std::unique_ptr<RiddenRobot> ridden = nullptr);
   ~Bench();
 
   [[nodiscard]] camera::FrameSource& cameras();
@@ -79,7 +83,7 @@ class Bench {
   void setPatientMoving(bool moving);
 
   /// The share of the impaired arm's weight that the patient carries himself, 0 to 1; nothing at first. Any
-  /// thread, as below. No effect where a plate stands.
+  /// thread, as below. No effect where a plate stands, or on a robot from outside.
   void setPatientEffort(double share);
   /// A push on the sling besides; stays until the next one.
   void pushSling(const Eigen::Vector3d& force_B_n);
@@ -93,7 +97,8 @@ class Bench {
   };
   [[nodiscard]] Truth truthAt(TimePoint time) const;
 
-  /// Faults, for tests and for the start-of-day check. Any thread.
+  /// Faults, for tests and for the start-of-day check. Those of the robot are the simulated one's. Any
+  /// thread.
   void failCameras(bool failed);
   void hideTarget(bool hidden);  ///< or the plate
   void silenceRobot(bool silent);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/robot/surroundings.h"
+#include "core/robot/urdf.h"
 #include "core/simulation/exercise_motion.h"
 
 namespace mirrorarm::simulation::bench_layout {
@@ -34,6 +35,10 @@ RigidTransform startX_BC() {
       0.0, -s, c,      //
       0.0, -c, -s;
   return makeTransform(R, startX_BF() * Eigen::Vector3d(kHalfBaseline_m, 0.08, 0.03));
+}
+
+FromFile<robot::ArmDescription> arm(const std::filesystem::path& resources) {
+  return robot::readUrdf(resources / "robots/lbr4plus.urdf");
 }
 
 FromFile<robot::Hand> hand(const std::filesystem::path& resources) {

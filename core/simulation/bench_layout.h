@@ -7,6 +7,7 @@
 
 #include "core/camera/camera_model.h"
 #include "core/common/file_error.h"
+#include "core/robot/arm_description.h"
 #include "core/robot/hand.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/obstacle.h"
@@ -25,6 +26,8 @@ namespace mirrorarm::simulation::bench_layout {
 /// Left camera at the start: beside the flange towards the healthy arm, looking along +y_B, 15 degrees down.
 /// The bench's hand carries it there.
 [[nodiscard]] RigidTransform startX_BC();
+/// robots/lbr4plus.urdf: the arm of the bench.
+[[nodiscard]] FromFile<robot::ArmDescription> arm(const std::filesystem::path& resources);
 /// robots/hand.yaml: camera bar and sling of the bench.
 [[nodiscard]] FromFile<robot::Hand> hand(const std::filesystem::path& resources);
 /// robots/surroundings.yaml: table and patient's head.

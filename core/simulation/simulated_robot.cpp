@@ -23,7 +23,8 @@ SimulatedRobot::SimulatedRobot(const robot::ArmDescription& arm, const robot::Jo
       gives_way_(settings.gives_way),
       p_FE_F_(settings.p_FE_F),
       kinematics_(arm),
-      line_(settings.seed ^ kLineStream) {
+      line_(settings.seed ^ kLineStream),
+      trail_(advanced_to_, start) {
   if (settings.load) load_.emplace(*settings.load);
   if (gives_way_) drives_.soften(robot::Joints::Constant(start.size(), kSpring_nm_rad), kSpringDamping);
   feelLoad();
@@ -31,12 +32,6 @@ SimulatedRobot::SimulatedRobot(const robot::ArmDescription& arm, const robot::Jo
            .v_rad_s = drives_.v(),
            .external_torque_nm = external_torque_nm_,
            .measured_at = advanced_to_};
-  history_.add({advanced_to_, start});
-}
-
-void SimulatedRobot::remember(TimePoint time) noexcept {
-  const std::lock_guard lock(mutex_);
-  history_.add({time, drives_.q()});
 }
 
 void SimulatedRobot::advance(TimePoint now) noexcept {
@@ -46,7 +41,7 @@ void SimulatedRobot::advance(TimePoint now) noexcept {
     advanced_to_ += kStep;
     drives_.advance(advanced_to_, kStep, external_torque_nm_);
     feelLoad();
-    remember(advanced_to_);
+    trail_.add(advanced_to_, drives_.q());
   }
 }
 
@@ -100,21 +95,6 @@ Expected<void, robot::LinkFault> SimulatedRobot::command(const robot::RobotComma
 void SimulatedRobot::halt() noexcept {
   advance(time_.now());
   drives_.halt();
-}
-
-robot::Joints SimulatedRobot::jointsAt(TimePoint time) const {
-  const std::lock_guard lock(mutex_);
-  std::size_t low = 0, high = history_.size() - 1;
-  if (time <= history_[low].time) return history_[low].q;
-  if (time >= history_[high].time) return history_[high].q;
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (history_[middle].time <= time ? low : high) = middle;
-  }
-  const Moment& before = history_[low];
-  const Moment& after = history_[high];
-  const double share = secondsBetween(before.time, time) / secondsBetween(before.time, after.time);
-  return before.q + share * (after.q - before.q);
 }
 
 }  // namespace mirrorarm::simulation

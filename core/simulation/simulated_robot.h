@@ -2,14 +2,13 @@
 
 #include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 
-#include "core/common/ring_log.h"
 #include "core/common/time_source.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/robot_link.h"
 #include "core/simulation/joint_drives.h"
+#include "core/simulation/joint_trail.h"
 #include "core/simulation/line_faults.h"
 #include "core/simulation/sling_load.h"
 
@@ -29,7 +28,7 @@ struct SimulatedRobotSettings {
 };
 
 /// A robot arm that moves as its drives let it. Time passes for it when it is read or commanded; what it did
-/// in the last seconds can be asked from other threads (one mutex, held for a copy).
+/// in the last seconds can be asked from other threads.
 class SimulatedRobot final : public robot::RobotLink {
  public:
   /// Rests at `start`. `time` outlives the robot.
@@ -59,16 +58,11 @@ class SimulatedRobot final : public robot::RobotLink {
 
   /// True angles at `time`, interpolated; the oldest or newest where it lies outside the last seconds. Any
   /// thread.
-  [[nodiscard]] robot::Joints jointsAt(TimePoint time) const;
+  [[nodiscard]] robot::Joints jointsAt(TimePoint time) const { return trail_.at(time); }
 
  private:
-  struct Moment {
-    TimePoint time{};
-    robot::Joints q;
-  };
   void advance(TimePoint now) noexcept;
   void feelLoad() noexcept;
-  void remember(TimePoint time) noexcept;
   [[nodiscard]] robot::RobotState sensed() noexcept;
 
   const TimeSource& time_;
@@ -84,8 +78,7 @@ class SimulatedRobot final : public robot::RobotLink {
   std::uint64_t reading_ = 0, torque_reading_ = 0;
   robot::RobotState told_;  ///< the answer before
   std::atomic<bool> silent_{false};
-  mutable std::mutex mutex_;
-  RingLog<Moment, 4096> history_;  ///< guarded by mutex_
+  JointTrail trail_;
 };
 
 }  // namespace mirrorarm::simulation

@@ -175,7 +175,7 @@ Answer ControlStage::obey(const Command& command) {
     case Action::kFinish:
       if (state_.phase == Phase::kTraining) pause();
       recordEvent("finished");
-      recorder_.finish("finished");
+      recorder_.finish(stopLatched() ? "stop." + std::string(id(state_.servo.stop)) : "finished");
       break;
     case Action::kNewSession:
       if (!tracking_.order(TrackingStage::Order::kForget)) return Answer::kQueueFull;

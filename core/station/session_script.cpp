@@ -21,6 +21,7 @@ SessionScript::Progress SessionScript::step(TimePoint now) {
   seen_ = station_.snapshot();
   now_ = now;
   if (stage_since_ == TimePoint{}) stage_since_ = now;
+  noteStop();
   switch (stage_) {
     case Stage::kWait:
       return waitForMarkers();
@@ -59,9 +60,22 @@ SessionScript::Progress SessionScript::teach() {
   return ask(Action::kFinishTeaching, Stage::kEndTeaching);
 }
 
+void SessionScript::noteStop() {
+  const bool stopped = seen_.control.servo.stop != control::StopReason::kNone;
+  if (stopped && !stopped_) ++stops_;
+  stopped_ = stopped;
+}
+
+// A stop is reset when the robot rests and the cause is gone.
+bool SessionScript::clearsStop() {
+  if (stopped_ && seen_.control.servo.reset == control::ResetRefusal::kNone) station_.resetStop();
+  return stopped_;
+}
+
 // Aligned and started at rest: the patient sits still and the robot stands.
 SessionScript::Progress SessionScript::settle(Action action, Stage next) {
-  if (waited() < kPatientSettles || !seen_.control.target_fresh || !seen_.control.servo.at_rest)
+  if (clearsStop() || waited() < kPatientSettles || !seen_.control.target_fresh ||
+      !seen_.control.servo.at_rest)
     return patience();
   return ask(action, next);
 }
@@ -75,27 +89,30 @@ SessionScript::Progress SessionScript::start() {
 
 SessionScript::Progress SessionScript::train() {
   const bool over = now_ >= train_until_;
-  const auto stop = seen_.control.servo.stop;
-  instruct_(!over && stop == control::StopReason::kNone);
+  instruct_(!over && !stopped_);
   if (over) return ask(Action::kFinish, Stage::kFinish);
-  if (stop == control::StopReason::kNone) return Progress::kRunning;
-  if (++stops_ > settings_.max_restarts) return fail("stop." + std::string(id(stop)));
+  if (!stopped_) return Progress::kRunning;
+  if (stops_ > settings_.max_restarts) return giveUp();
   go(Stage::kRestart);
   return Progress::kRunning;
 }
 
-// A stop is reset when the robot rests and the cause is gone.
 SessionScript::Progress SessionScript::restart() {
-  const auto& servo = seen_.control.servo;
-  if (servo.stop == control::StopReason::kNone) return settle(Action::kStart, Stage::kStart);
-  if (servo.reset == control::ResetRefusal::kNone) station_.resetStop();
-  return patience();
+  if (!clearsStop()) return settle(Action::kStart, Stage::kStart);
+  return waited() < kStepTimeout ? Progress::kRunning : giveUp();
+}
+
+std::string SessionScript::lastingStop() const { return "stop." + std::string(id(seen_.control.servo.stop)); }
+
+SessionScript::Progress SessionScript::giveUp() {
+  failure_ = lastingStop();
+  return ask(Action::kFinish, Stage::kFinish);
 }
 
 SessionScript::Progress SessionScript::waitForRecord() {
   if (!answered() || seen_.record.recording == Recording::kWriting) return patience();
   go(Stage::kDone);
-  return Progress::kDone;
+  return failure_.empty() ? Progress::kDone : Progress::kFailed;
 }
 
 SessionScript::Progress SessionScript::afterAnswer(Stage next) {
@@ -115,11 +132,11 @@ SessionScript::Progress SessionScript::ask(Action action, Stage next) {
 
 SessionScript::Progress SessionScript::patience() {
   if (waited() < kStepTimeout) return Progress::kRunning;
-  return fail("nothing came in phase " + std::string(id(seen_.control.phase)));
+  return fail(stopped_ ? lastingStop() : "nothing came in phase " + std::string(id(seen_.control.phase)));
 }
 
 SessionScript::Progress SessionScript::fail(std::string why) {
-  failure_ = std::move(why);
+  if (failure_.empty()) failure_ = std::move(why);
   instruct_(false);
   stage_ = Stage::kDone;
   return Progress::kFailed;

@@ -17,7 +17,8 @@ struct ScriptSettings {
 };
 
 /// An operator who works through a whole session by himself: teach, align, start, finish. A stop that nobody
-/// pressed is reset and the training goes on, as a therapist would do; each is counted.
+/// pressed is reset and the training goes on, as a therapist would do; each is counted. One whose cause lasts
+/// ends the session: its record is finished, and the script has failed.
 class SessionScript {
  public:
   enum class Progress { kRunning, kDone, kFailed };
@@ -28,9 +29,9 @@ class SessionScript {
   /// Looks once and acts; call it some ten times a second until it is done.
   Progress step(TimePoint now);
 
-  /// Why it failed, an id of the kind "teach.too_few_markers"; empty otherwise.
+  /// Why it failed, an id of the kind "too_few_markers" or "stop.robot_silent"; empty otherwise.
   [[nodiscard]] const std::string& failure() const { return failure_; }
-  /// Stops that were reset on the way.
+  /// Stops on the way.
   [[nodiscard]] int stops() const { return stops_; }
   /// The last snapshot that was looked at.
   [[nodiscard]] const Snapshot& seen() const { return seen_; }
@@ -48,7 +49,11 @@ class SessionScript {
   Progress ask(therapy::Action action, Stage next);
   Progress patience();
   Progress fail(std::string why);
+  Progress giveUp();
+  void noteStop();
+  bool clearsStop();
   void go(Stage stage);
+  [[nodiscard]] std::string lastingStop() const;
   [[nodiscard]] Seconds waited() const { return now_ - stage_since_; }
   [[nodiscard]] bool answered() const { return seen_.control.answers != answers_before_; }
 
@@ -61,6 +66,7 @@ class SessionScript {
   TimePoint stage_since_{};
   TimePoint train_until_{};
   std::uint32_t answers_before_ = 0;
+  bool stopped_ = false;
   int stops_ = 0;
   std::string failure_;
 };

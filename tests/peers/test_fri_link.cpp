@@ -101,6 +101,19 @@ TEST(FriLink, SilenceEndsInAReason) {
   EXPECT_EQ(driver.fault(), LinkFault::kNoAnswer);
 }
 
+TEST(FriLink, BeginsAnewForWhoHasStayedAway) {
+  const auto link = openLink();
+  FriDriver driver(*link);
+  RunningController controller(link->port(), {});
+  link->awaitCycle(Seconds(5.0));
+  EXPECT_TRUE(link->read());
+  std::this_thread::sleep_for(std::chrono::seconds(2));  // more than the socket has room for
+  const auto seen = drive(*link, driver, [&](const auto&) { return driver.isSwinging(); });
+  EXPECT_TRUE(driver.isSwinging());
+  EXPECT_EQ(seen.fall, FriFall::kNone) << id(seen.fall);
+  EXPECT_GT(seen.overtaken, 20u);
+}
+
 TEST(FriLink, ADriveErrorEndsInAReason) {
   const auto link = openLink();
   FriDriver driver(*link);
