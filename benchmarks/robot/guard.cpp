@@ -86,7 +86,7 @@ class Trial {
       Joints q(7);
       for (Eigen::Index j = 0; j < 7; ++j)
         q[j] = std::uniform_real_distribution<double>(limits_.lower_rad[j], limits_.upper_rad[j])(random);
-      if (!in_room_ || clearance_.least(q) > 0.03) return q;
+      if (!in_room_ || clearance_.leastRoom(q) > 0.01) return q;
     }
   }
 

@@ -98,10 +98,13 @@ struct Follower::Body {
     return step;
   }
 
-  /// The first contact on the way: on short straight motions from sample to sample.
-  [[nodiscard]] std::optional<robot::Contact> contactOn(const Trajectory& motion) const {
+  /// The first contact on the way: on short straight motions from sample to sample. What is too near at the
+  /// start may stay so, for the arm must find its way out.
+  [[nodiscard]] std::optional<robot::Contact> contactOn(const Trajectory& motion) {
     const int samples = 1 + static_cast<int>(motion.duration().count() * fastest_rad_s / kCheckEvery_rad);
     Joints last = motion.at(motion.start()).q_rad;
+    world.admitNothing();
+    world.admit(last);
     for (int i = 1; i <= samples; ++i) {
       const Joints q =
           motion.at(motion.start() + toClock(motion.duration() * (static_cast<double>(i) / samples))).q_rad;

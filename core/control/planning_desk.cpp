@@ -11,7 +11,7 @@ void PlanningDesk::answer() {
   PlanAnswer answer{.number = question->number};
   const auto path = planner_.plan(question->from, question->to);
   if (path) {
-    assert(path->waypoints.size() <= PlanAnswer::kMaxWaypoints);
+    assert(path->waypoints.size() <= answer.waypoints.size());
     std::ranges::copy(path->waypoints, answer.waypoints.begin());
     answer.waypoint_count = path->waypoints.size();
   } else {

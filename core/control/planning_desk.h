@@ -20,10 +20,8 @@ struct PlanQuestion {
 
 /// The way, or why there is none. Fixed size: it goes through a mailbox.
 struct PlanAnswer {
-  static constexpr std::size_t kMaxWaypoints = 32;
-
   std::uint64_t number = 0;  ///< of the question
-  std::array<robot::Joints, kMaxWaypoints> waypoints{};
+  std::array<robot::Joints, robot::PlannedPath::kMostWaypoints> waypoints{};
   std::size_t waypoint_count = 0;
   std::optional<robot::PlanRefusal> refusal{};
 

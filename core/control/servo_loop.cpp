@@ -156,7 +156,7 @@ struct ServoLoop::Body {
                           : MotionState{sent.q_rad, sent.v_rad_s, sent.a_rad_s2};
     state.guard = guarded.action;
     const bool near = guarded.action == robot::GuardAction::kCollision;
-    state.guard_pair = near ? clearance.pair(guarded.index) : robot::ClearancePair{};
+    state.guard_contact = near ? std::optional(clearance.kinds(guarded.index)) : std::nullopt;
     state.guard_joint = near ? -1 : guarded.index;
     state.sent = last = guarded.command;
     send();

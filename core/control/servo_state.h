@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/common/time.h"
@@ -52,8 +53,8 @@ struct ServoState {
   robot::MotionState commanded;  ///< what was measured while the robot is not driven from here
   robot::Commanded sent;  ///< what went over the wire: differences of it; empty while not driven from here
   robot::GuardAction guard = robot::GuardAction::kPassed;
-  int guard_joint = -1;             ///< whose limit acts, where it is a joint's
-  robot::ClearancePair guard_pair;  ///< what is near, where that acts
+  int guard_joint = -1;                              ///< whose limit acts, where it is a joint's
+  std::optional<robot::ContactKinds> guard_contact;  ///< what is near, where that acts
   Permit permit = Permit::kHold;
   StopReason stop = StopReason::kNone;  ///< latched reason, kNone while free
   StopCategory category = StopCategory::kNone;

@@ -8,6 +8,12 @@
 
 namespace mirrorarm::robot {
 
+/// Which part of the arm meets which kind of thing.
+struct ContactKinds {
+  ArmPart part = ArmPart::kLink;
+  std::optional<ObstacleKind> obstacle = {};  ///< nothing: the arm meets itself
+};
+
 /// Which shape of the arm meets what.
 struct Contact {
   ArmPart part = ArmPart::kLink;

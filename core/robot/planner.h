@@ -10,14 +10,17 @@
 #include "core/common/expected.h"
 #include "core/common/time.h"
 #include "core/robot/collision.h"
+#include "core/robot/trajectory.h"
 
 namespace mirrorarm::robot {
 
 struct PlannerSettings {
   double resolution_rad = 0.01;  ///< see CollisionWorld::firstContact
   double max_joint_range_rad =
-      1.0;                ///< a path that moves one joint further than this from both ends is rejected
-  Seconds max_time{0.5};  ///< for both searches of a plan; their number of steps is bounded too
+      1.0;                   ///< a path that moves one joint further than this from both ends is rejected
+  SafeDistances keep{};      ///< of the whole way
+  double reserve_m = 0.005;  ///< more than that between the ends: a motion along the way bends off it
+  Seconds max_time{0.5};     ///< for both searches of a plan; their number of steps is bounded too
   std::uint64_t seed = 1;
 };
 
@@ -38,18 +41,17 @@ struct PlanRefusal {
 };
 
 struct PlannedPath {
-  std::vector<Joints>
-      waypoints;       ///< after the start, the goal last; at most 32, edges short enough for a spline
-  bool direct = true;  ///< the straight joint motion was clear
+  static constexpr std::size_t kMostWaypoints = Trajectory::kMaxPieces;
+
+  std::vector<Joints> waypoints;  ///< after the start, the goal last; edges short enough for a spline
+  bool direct = true;             ///< the straight joint motion was clear
 };
 
-/// Self-collision and obstacles of one arm, and paths around them (RRT-Connect of OMPL), tried only when the
-/// straight joint motion is blocked. One thread. Source: paper section 2.4; Kuffner, LaValle,
-/// ICRA 2000.
+/// Self-collision and obstacles of one arm, and paths around them (searchPath), tried only when the straight
+/// joint motion is blocked. One thread. Source: paper section 2.4.
 class Planner {
  public:
-  /// `attached` are shapes fixed to the flange (link = jointCount()): camera
-  /// bar, sling.
+  /// `attached` are shapes fixed to the flange (link = jointCount()): camera bar, sling.
   Planner(const ArmDescription& arm, std::span<const Capsule> attached, std::span<const Obstacle> obstacles,
           const PlannerSettings& settings);
   ~Planner();
@@ -57,11 +59,12 @@ class Planner {
   Planner& operator=(Planner&&) noexcept;
 
   [[nodiscard]] bool collides(const Joints& q) const;
-  /// What meets what there; nothing where all is clear.
+  /// What comes nearer to what there than the distances with the reserve; nothing where all is clear.
   [[nodiscard]] std::optional<Contact> contact(const Joints& q) const;
   /// Both ends and the straight joint motion between them.
   [[nodiscard]] bool directIsClear(const Joints& from, const Joints& to) const;
-  /// The same question finds the same path, unless time runs out first.
+  /// A way that begins nearer to things than `keep` may stay so near, but goes no nearer. The same question
+  /// finds the same path, unless time runs out first.
   [[nodiscard]] Expected<PlannedPath, PlanRefusal> plan(const Joints& from, const Joints& to);
 
  private:

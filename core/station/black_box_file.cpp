@@ -47,7 +47,8 @@ class Row {
 };
 
 constexpr std::string_view kPlainColumns =
-    "time_ns,permit,stop,category,lasting,guard,refused,enabling,soft_start,frame_age_s,target_age_s,"
+    "time_ns,permit,stop,category,lasting,guard,refused,enabling,guard_joint,guard_part,guard_thing,soft_"
+    "start,frame_age_s,target_age_s,"
     "decision_age_s,robot_age_s,force_x_n,force_y_n,force_z_n,force_share,assist_level";
 
 constexpr std::array kJointColumns = {"measured_q",  "measured_v",  "external_torque", "commanded_q",
@@ -60,11 +61,23 @@ void writeHeader(std::ostream& out, Eigen::Index joints) {
   out << '\n';
 }
 
+/// Which joint, or what meets what, where the guard tells of it.
+void addGuarded(Row& row, const control::ServoState& state) {
+  const auto& near = state.guard_contact;
+  if (state.guard_joint >= 0)
+    row.add(state.guard_joint + 1);
+  else
+    row.add(std::string_view());
+  row.add(near ? id(near->part) : std::string_view());
+  row.add(!near ? std::string_view() : near->obstacle ? id(*near->obstacle) : "arm");
+}
+
 void addPlain(Row& row, const control::ServoState& state) {
   row.add(toNanoseconds(state.time));
   for (const auto word : {id(state.permit), id(state.stop), id(state.category), id(state.lasting),
                           id(state.guard), id(state.refused), id(state.enabling)})
     row.add(word);
+  addGuarded(row, state);
   row.add(state.soft_start);
   for (const double age_s :
        {state.ages.frame_s, state.ages.target_s, state.ages.decision_s, state.ages.robot_s})

@@ -10,16 +10,16 @@ std::shared_ptr<const PlannedArm> plannedArm(const Equipment& equipment,
   if (equipment.robot == nullptr) return nullptr;
   const auto limits = robot::limitsOf(settings.limits_profile, equipment.arm);
   if (!limits) throw std::runtime_error("no limits profile is called '" + settings.limits_profile + "'");
-  return std::make_shared<const PlannedArm>(
-      PlannedArm{equipment.arm, equipment.attached, *limits, settings.planner, settings.table_height_m});
+  return std::make_shared<const PlannedArm>(PlannedArm{equipment.arm, equipment.attached, equipment.obstacles,
+                                                       *limits, settings.planner, settings.table_height_m});
 }
 
 std::unique_ptr<control::ServoLoop> servoFor(const Equipment& equipment, const PlannedArm* arm,
                                              const CalibrationSettings& settings) {
   if (arm == nullptr) return nullptr;
-  // Without clearances of the guard: the views are planned up to contact, nearer than it would let the arm
-  // go.
-  return std::make_unique<control::ServoLoop>(arm->arm, arm->limits, *equipment.robot, settings.supervisor);
+  return std::make_unique<control::ServoLoop>(arm->arm, arm->limits, *equipment.robot, settings.supervisor,
+                                              control::AssistSettings{},
+                                              robot::Clearance(arm->arm, arm->attached, arm->obstacles));
 }
 
 }  // namespace

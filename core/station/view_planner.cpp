@@ -8,8 +8,13 @@ namespace {
 /// More than the board's place is uncertain by before the hand-eye calibration.
 constexpr double kAir_m = 0.03;
 constexpr double kPost_m = 0.10;
-constexpr double kTableSide_m = 3.0;
-constexpr double kTableThickness_m = 0.05;
+
+/// The board's own and what stands there always.
+std::vector<robot::Obstacle> obstaclesAround(const PlannedArm& arm, const BoardPlace& place) {
+  auto obstacles = boardObstacles(place.board, place.X_BM, arm.table_height_m);
+  obstacles.insert(obstacles.end(), arm.obstacles.begin(), arm.obstacles.end());
+  return obstacles;
+}
 
 }  // namespace
 
@@ -21,16 +26,11 @@ std::vector<robot::Obstacle> boardObstacles(const calibration::Board& board, con
   const Eigen::Vector3d plate_m = extent.sizes() + 2.0 * Eigen::Vector3d(rim_m, rim_m, kAir_m);
   const RigidTransform X_BP = X_BM * Eigen::Translation3d(extent.center());
   std::vector<robot::Obstacle> obstacles{{X_BP, plate_m}};
-  const auto upright = [](double x, double y, double z) {
-    return makeTransform(Eigen::Matrix3d::Identity(), {x, y, z});
-  };
   const Eigen::Vector3d middle_B = X_BP.translation();
   const double height_m = middle_B.z() - table_height_m;
-  if (height_m > 0.0)
-    obstacles.push_back(
-        {upright(middle_B.x(), middle_B.y(), table_height_m + 0.5 * height_m), {kPost_m, kPost_m, height_m}});
-  obstacles.push_back({upright(0.0, 0.0, table_height_m - 0.5 * kTableThickness_m),
-                       {kTableSide_m, kTableSide_m, kTableThickness_m}});
+  const RigidTransform X_BPost(
+      Eigen::Translation3d(middle_B.x(), middle_B.y(), table_height_m + 0.5 * height_m));
+  if (height_m > 0.0) obstacles.push_back({X_BPost, {kPost_m, kPost_m, height_m}});
   return obstacles;
 }
 
@@ -39,8 +39,7 @@ ViewPlanner::ViewPlanner(const PlannedArm& arm, const BoardPlace& place)
       X_FC_(place.X_FC),
       limits_(arm.limits),
       kinematics_(arm.arm),
-      planner_(arm.arm, arm.attached, boardObstacles(place.board, place.X_BM, arm.table_height_m),
-               arm.planner) {}
+      planner_(arm.arm, arm.attached, obstaclesAround(arm, place), arm.planner) {}
 
 bool ViewPlanner::isWithinLimits(const robot::Joints& q) const {
   return (q.array() >= limits_.lower_rad.array()).all() && (q.array() <= limits_.upper_rad.array()).all();

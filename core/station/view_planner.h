@@ -13,8 +13,8 @@
 
 namespace mirrorarm::station {
 
-/// What the arm must keep off while a board stands at X_BM: the board with a hand's breadth of air, a post
-/// from it down to the table, and the table, whose top lies at `table_height_m` over the base.
+/// What the arm must keep off while a board stands at X_BM: the board with a hand's breadth of air, and a
+/// post from it down to the table, whose top lies at `table_height_m` over the base.
 [[nodiscard]] std::vector<robot::Obstacle> boardObstacles(const calibration::Board& board,
                                                           const RigidTransform& X_BM, double table_height_m);
 
@@ -29,6 +29,7 @@ struct BoardPlace {
 struct PlannedArm {
   robot::ArmDescription arm;
   std::vector<robot::Capsule> attached;
+  std::vector<robot::Obstacle> obstacles;  ///< that stand there always
   robot::MotionLimits limits;
   robot::PlannerSettings planner;
   double table_height_m = 0.0;
@@ -39,7 +40,7 @@ class ViewPlanner {
  public:
   ViewPlanner(const PlannedArm& arm, const BoardPlace& place);
 
-  /// Joints that lead there from one of `seeds`, within the limits and touching nothing: of several those
+  /// Joints that lead there from one of `seeds`, within the limits and clear of everything: of several those
   /// nearest to the last seed.
   [[nodiscard]] std::optional<robot::Joints> joints(const RigidTransform& X_CM,
                                                     std::span<const robot::Joints> seeds) const;

@@ -71,8 +71,8 @@ TEST(ServoClearance, TheArmComesToRestBeforeWhatStandsInItsWay) {
   int told = 0;
   for (int i = 0; i < 80; ++i) {
     turning.run(100);
-    if (turning.state.guard == robot::GuardAction::kCollision && turning.state.guard_pair.obstacle == 0)
-      ++told;
+    const auto& near = turning.state.guard_contact;
+    if (turning.state.guard == robot::GuardAction::kCollision && near->obstacle == ObstacleKind::kBox) ++told;
   }
   EXPECT_GT(told, 10);
   EXPECT_EQ(turning.state.guard_joint, -1);

@@ -76,7 +76,7 @@ class Collisions : public ::testing::Test {
 }  // namespace
 
 TEST_F(Collisions, AgreeWithFclInRandomPostures) {
-  const CollisionWorld world(arm_, attached_, obstacles_);
+  const CollisionWorld world(arm_, attached_, obstacles_, kTouching);
   const Judge judge(arm_, attached_, obstacles_);
   int blocked = 0, differ = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -91,7 +91,7 @@ TEST_F(Collisions, AgreeWithFclInRandomPostures) {
 }
 
 TEST_F(Collisions, AMotionIsProvenWhereSmallStepsFindNothingAndBlockedWhereTheyFindSomething) {
-  const CollisionWorld world(arm_, attached_, obstacles_);
+  const CollisionWorld world(arm_, attached_, obstacles_, kTouching);
   int blocked = 0;
   for (int i = 0; i < 400; ++i) {
     const Joints from = testing::randomJoints(arm_, random_, 0.6);
@@ -113,13 +113,55 @@ TEST_F(Collisions, AThinPlateIsNotJumped) {
   const std::vector<Obstacle> plate = {
       {makeTransform(Eigen::Quaterniond::Identity(), before_the_hand), {0.02, 1e-4, 0.02}}};
   const std::vector<Capsule> needle = {{7, {0.0, 0.0, 0.05}, {0.0, 0.0, 0.12}, 1e-4, ArmPart::kSling}};
-  const auto contact = CollisionWorld(arm_, needle, plate).firstContact(from, to, 1e-4);
+  const auto contact = CollisionWorld(arm_, needle, plate, kTouching).firstContact(from, to, 1e-4);
   ASSERT_TRUE(contact);
   EXPECT_EQ(contact->part, ArmPart::kSling);
 }
 
+TEST_F(Collisions, WhatIsTooNearIsRefusedAtTheDistanceAskedFor) {
+  obstacles_ = {obstacles_.back()};  // the table is nearer than 5 cm to the lowest link in every posture
+  const CollisionWorld touching(arm_, attached_, obstacles_, kTouching);
+  const CollisionWorld keeping(arm_, attached_, obstacles_, {.self_m = 0.03, .obstacle_m = 0.05});
+  const CollisionWorld grown = [&] {
+    std::vector<Obstacle> larger = obstacles_;
+    for (Obstacle& obstacle : larger) obstacle.round_m += 0.05;
+    return CollisionWorld(arm_, attached_, larger, {.self_m = 0.03, .obstacle_m = 0.0});
+  }();
+  int between = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Joints q = testing::randomJoints(arm_, random_, 0.8);
+    ASSERT_EQ(keeping.collides(q), grown.collides(q)) << i;
+    if (keeping.collides(q) && !touching.collides(q)) ++between;
+    ASSERT_TRUE(keeping.collides(q) || !touching.collides(q)) << i;
+  }
+  EXPECT_GT(between, 50);
+}
+
+TEST_F(Collisions, WhatIsAdmittedMayStayAsNearButNoNearer) {
+  CollisionWorld world(arm_, attached_, obstacles_, {.self_m = 0.03, .obstacle_m = 0.05});
+  const CollisionWorld touching(arm_, attached_, obstacles_, kTouching);
+  int admitted = 0, nearer_refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Joints q = testing::randomJoints(arm_, random_, 0.8);
+    if (!world.collides(q)) continue;
+    world.admit(q);
+    EXPECT_EQ(world.collides(q), touching.collides(q));
+    if (!touching.collides(q)) {
+      ++admitted;
+      for (int k = 0; k < 20; ++k) {
+        const Joints beside = q + 0.02 * testing::randomJoints(arm_, random_, 1.0);
+        if (world.collides(beside)) ++nearer_refused;
+      }
+    }
+    world.admitNothing();
+    EXPECT_TRUE(world.collides(q));
+  }
+  EXPECT_GT(admitted, 50);
+  EXPECT_GT(nearer_refused, 5 * admitted);
+}
+
 TEST_F(Collisions, EdgesOfABoxMayBeRound) {
-  const CollisionWorld without(arm_, {}, {});
+  const CollisionWorld without(arm_, {}, {}, kTouching);
   const Joints q = testing::working();
   ASSERT_FALSE(without.collides(q));
   // Diagonally off an edge: the square box around would reach it, the rounded one does not.
@@ -128,7 +170,7 @@ TEST_F(Collisions, EdgesOfABoxMayBeRound) {
   const auto collides = [&](double gap) {
     Obstacle box{X_BF * Eigen::Translation3d(0.05 + gap, 0.05 + gap, 0.3), {0.1, 0.1, 0.1}};
     box.round_m = 0.05;
-    return CollisionWorld(arm_, tip, std::vector<Obstacle>{box}).collides(q);
+    return CollisionWorld(arm_, tip, std::vector<Obstacle>{box}, kTouching).collides(q);
   };
   EXPECT_TRUE(collides(0.040));
   EXPECT_FALSE(collides(0.044));  // 0.044 * sqrt(2) > 0.05 + 0.01

@@ -11,6 +11,14 @@ Planner plannerAround(std::span<const Obstacle> obstacles, const PlannerSettings
   return {testing::lbr(), {}, obstacles, settings};
 }
 
+/// Refuses contact only.
+PlannerSettings touching() {
+  PlannerSettings settings;
+  settings.keep = kTouching;
+  settings.reserve_m = 0.0;
+  return settings;
+}
+
 Joints turned(double a1) {
   Joints q = testing::working();
   q[0] = a1;
@@ -26,7 +34,7 @@ std::vector<Obstacle> wall(double height) {
 }  // namespace
 
 TEST(Planner, KnowsWhenTheArmTouchesItself) {
-  const Planner planner = plannerAround({});
+  const Planner planner = plannerAround({}, touching());
   EXPECT_FALSE(planner.collides(Joints::Zero(7)));
   EXPECT_FALSE(planner.collides(testing::working()));
   Joints elbow_bent = Joints::Zero(7), wrist_bent = Joints::Zero(7), into_base = Joints::Zero(7);
@@ -43,7 +51,7 @@ TEST(Planner, KnowsWhenTheArmTouchesItself) {
 TEST(Planner, OrdinaryPosturesOfEveryArmAreClear) {
   for (const char* name : {"lbr4plus", "iiwa7", "iiwa14", "ur5"}) {
     const ArmDescription arm = testing::arm(name);
-    const Planner planner(arm, {}, {}, {});
+    const Planner planner(arm, {}, {}, touching());
     EXPECT_FALSE(planner.collides(Joints::Zero(arm.jointCount()))) << name;
     if (arm.jointCount() != 7) continue;
     for (const int joint : {1, 3, 5})
@@ -59,9 +67,9 @@ TEST(Planner, AttachedShapesTouchTheUpperArm) {
   Joints folded = Joints::Zero(7);
   folded[3] = 2.09;
   folded[5] = -2.09;
-  EXPECT_FALSE(plannerAround({}).collides(folded));
+  EXPECT_FALSE(plannerAround({}, touching()).collides(folded));
   const std::vector<Capsule> bar = {{7, Eigen::Vector3d::Zero(), {0.0, 0.0, 0.25}, 0.03}};
-  const Planner with_bar(testing::lbr(), bar, {}, {});
+  const Planner with_bar(testing::lbr(), bar, {}, touching());
   EXPECT_TRUE(with_bar.collides(folded));
   EXPECT_FALSE(with_bar.collides(testing::working()));
 }
@@ -131,12 +139,45 @@ TEST(Planner, AHeadIsABall) {
   const std::vector<Capsule> sling = {{7, Eigen::Vector3d::Zero(), {0.0, 0.0, 0.1}, 0.06, ArmPart::kSling}};
   const auto contactAt = [&](double radius) {
     const std::vector<Obstacle> head = {ball(ObstacleKind::kHead, below, radius)};
-    return Planner(testing::lbr(), sling, head, {}).contact(turned(0.0));
+    return Planner(testing::lbr(), sling, head, touching()).contact(turned(0.0));
   };
   EXPECT_FALSE(contactAt(0.19));
   const auto contact = contactAt(0.21);
   ASSERT_TRUE(contact);
   EXPECT_EQ(describe(*contact), "sling meets head");
+}
+
+TEST(Planner, KeepsTheGuardsDistancesAllTheWay) {
+  const auto obstacles = wall(0.2);
+  const auto path = plannerAround(obstacles).plan(turned(-0.5), turned(0.5));
+  ASSERT_TRUE(path);
+  const SafeDistances more{.self_m = 0.014, .obstacle_m = 0.024};  // 1 mm of the reserve for proven edges
+  const CollisionWorld world(testing::lbr(), {}, obstacles, more);
+  Joints last = turned(-0.5);
+  for (const Joints& next : path->waypoints) {
+    EXPECT_FALSE(world.firstContact(last, next, 0.001));
+    last = next;
+  }
+}
+
+// The guard lets the arm come to 20 mm; a plan keeps 25.
+TEST(Planner, FindsTheWayOutOfANarrowPlaceAndIntoOne) {
+  const Eigen::Vector3d flange = Kinematics(testing::lbr()).flange(turned(0.0)).translation();
+  const std::vector<Capsule> ball_hand = {{7, {0.0, 0.0, 0.1}, {0.0, 0.0, 0.1}, 0.04, ArmPart::kSling}};
+  const Eigen::Vector3d hand =
+      Kinematics(testing::lbr()).flange(turned(0.0)) * Eigen::Vector3d(0.0, 0.0, 0.1);
+  const Eigen::Vector3d out = (hand - flange).normalized();
+  const auto plannerAt = [&](double gap_m) {
+    const Eigen::Vector3d centre = hand + (gap_m + 0.04 + 0.05) * out;
+    return Planner(testing::lbr(), ball_hand, std::vector<Obstacle>{ball(ObstacleKind::kBox, centre, 0.05)},
+                   {});
+  };
+  Planner near = plannerAt(0.022), too_near = plannerAt(0.015), touching = plannerAt(-0.001);
+  EXPECT_TRUE(near.plan(turned(0.0), turned(0.5)));
+  EXPECT_TRUE(near.plan(turned(0.5), turned(0.0)));
+  EXPECT_TRUE(too_near.plan(turned(0.0), turned(0.5))) << "out of it";
+  EXPECT_EQ(too_near.plan(turned(0.5), turned(0.0)).error().why, PlanError::kGoalBlocked);
+  EXPECT_EQ(touching.plan(turned(0.0), turned(0.5)).error().why, PlanError::kStartBlocked);
 }
 
 TEST(Planner, RefusesPathsThatMoveAJointTooFar) {

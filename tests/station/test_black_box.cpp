@@ -83,6 +83,21 @@ TEST(BlackBox, HasARowACycleAndACellAColumn) {
   EXPECT_NE(lines.back().find("1264.19"), std::string::npos);
 }
 
+TEST(BlackBox, NamesTheJointOrTheContactOfTheGuard) {
+  const test::ScratchFolder folder;
+  std::vector<ServoState> states(3, fullState(0));
+  states[0].guard_joint = 3;
+  states[1].guard_contact = {robot::ArmPart::kSling, robot::ObstacleKind::kHead};
+  states[2].guard_contact = {robot::ArmPart::kCameraBar, std::nullopt};
+  const auto file = blackBoxFile(folder.path(), StopReason::kForce);
+  ASSERT_TRUE(writeBlackBox(file, states));
+  const auto lines = linesOf(file);
+  EXPECT_NE(lines[0].find(",guard_joint,guard_part,guard_thing,"), std::string::npos);
+  EXPECT_NE(lines[1].find(",4,,,"), std::string::npos);
+  EXPECT_NE(lines[2].find(",,sling,head,"), std::string::npos);
+  EXPECT_NE(lines[3].find(",,camera_bar,arm,"), std::string::npos);
+}
+
 TEST(BlackBox, TwoStopsOfOneMomentHaveTwoFiles) {
   const test::ScratchFolder folder;
   for (int i = 0; i < 3; ++i)
