@@ -23,16 +23,19 @@ inline simulation::BenchSettings benchFor(const std::string& exercise, bool own_
 /// A bench and a lockstep station over it, worked by a script: seconds of session in fractions of them.
 class BenchSession {
  public:
+  /// `besides` stands on the bench too.
   explicit BenchSession(const ScriptSettings& script,
                         const simulation::BenchSettings& bench = benchFor("reach"),
-                        StationSettings settings = {}) {
+                        StationSettings settings = {}, const std::vector<robot::Obstacle>& besides = {}) {
     time_.set(TimePoint(std::chrono::seconds(1)));
     auto made = simulation::Bench::make(bench, time_);
     if (!made) throw std::runtime_error(describe(made.error()));
     bench_ = std::move(*made);
     settings.store_file = folder_ / "store.sqlite";
     settings.black_box_folder = folder_.path();
-    station_ = std::make_unique<LockstepStation>(equipmentOf(*bench_), settings, time_);
+    Equipment equipment = equipmentOf(*bench_);
+    equipment.obstacles.insert(equipment.obstacles.end(), besides.begin(), besides.end());
+    station_ = std::make_unique<LockstepStation>(equipment, settings, time_);
     script_ = std::make_unique<SessionScript>(*station_, script,
                                               [this](bool moving) { bench_->setPatientMoving(moving); });
   }
@@ -57,6 +60,7 @@ class BenchSession {
     return last_;
   }
 
+  [[nodiscard]] TimePoint now() const { return time_.now(); }
   simulation::Bench& bench() { return *bench_; }
   LockstepStation& station() { return *station_; }
   SessionScript& script() { return *script_; }
