@@ -38,6 +38,10 @@ double Gaze::margin_px(const RigidTransform& X_BE, const Sight& sight) const {
   return least;
 }
 
+bool Gaze::sees(const RigidTransform& X_BE, const Sight& sight) const {
+  return margin_px(X_BE, sight) >= kLeastMargin_px;
+}
+
 Gaze::Kept Gaze::keep(const ToolGoal& goal, const RigidTransform& X_BE_now, const Sight& sight) const {
   const double there = margin_px(goal.X_BE, sight);
   if (there >= kLeastMargin_px) return {goal, false};
@@ -47,7 +51,7 @@ Gaze::Kept Gaze::keep(const ToolGoal& goal, const RigidTransform& X_BE_now, cons
   double seen = 0.0, lost = 1.0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (seen + lost);
-    (margin_px(interpolate(X_BE_now, goal.X_BE, middle), sight) >= kLeastMargin_px ? seen : lost) = middle;
+    (sees(interpolate(X_BE_now, goal.X_BE, middle), sight) ? seen : lost) = middle;
   }
   return {partOf(goal, X_BE_now, seen), true};
 }

@@ -23,6 +23,9 @@ class Gaze {
   /// minus infinity where a camera cannot see so far aside at all.
   [[nodiscard]] double margin_px(const RigidTransform& X_BE, const Sight& sight) const;
 
+  /// Whether it stays far enough inside both.
+  [[nodiscard]] bool sees(const RigidTransform& X_BE, const Sight& sight) const;
+
   struct Kept {
     ToolGoal goal;
     bool shortened = false;  ///< the goal would have lost the target

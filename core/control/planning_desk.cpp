@@ -9,7 +9,10 @@ void PlanningDesk::answer() {
   const PlanQuestion* const question = questions_.take();
   if (question == nullptr) return;
   PlanAnswer answer{.number = question->number};
-  const auto path = planner_.plan(question->from, question->to);
+  robot::PostureRule keeps_in_view;
+  if (sees_ && question->sight)
+    keeps_in_view = [this, &sight = *question->sight](const robot::Joints& q) { return sees_(q, sight); };
+  const auto path = planner_.plan(question->from, question->to, keeps_in_view);
   if (path) {
     assert(path->waypoints.size() <= answer.waypoints.size());
     std::ranges::copy(path->waypoints, answer.waypoints.begin());

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
 #include "core/common/latest_value.h"
 #include "core/common/signal.h"
+#include "core/control/gaze.h"
 #include "core/robot/planner.h"
 
 namespace mirrorarm::control {
@@ -16,6 +18,7 @@ struct PlanQuestion {
   std::uint64_t number = 0;  ///< counts the questions
   robot::Joints from{};
   robot::Joints to{};
+  std::optional<Sight> sight{};  ///< to be kept in view on the way
 };
 
 /// The way, or why there is none. Fixed size: it goes through a mailbox.
@@ -28,11 +31,16 @@ struct PlanAnswer {
   [[nodiscard]] std::span<const robot::Joints> path() const { return {waypoints.data(), waypoint_count}; }
 };
 
+/// Whether the cameras on the hand see something from a posture.
+using SightRule = std::function<bool(const robot::Joints& q, const Sight& sight)>;
+
 /// Where the control thread lays questions and the planning thread answers them. Neither waits for the other;
 /// the newest question replaces one that was not taken yet.
 class PlanningDesk {
  public:
-  explicit PlanningDesk(robot::Planner planner) : planner_(std::move(planner)) {}
+  /// Without `sees` the sight of a question is of no account.
+  explicit PlanningDesk(robot::Planner planner, SightRule sees = {})
+      : planner_(std::move(planner)), sees_(std::move(sees)) {}
 
   /// Control thread.
   void ask(const PlanQuestion& question, TimePoint now) {
@@ -67,6 +75,7 @@ class PlanningDesk {
   };
   std::optional<Open> open_;  // control thread only
   robot::Planner planner_;    // planning thread only
+  SightRule sees_;            // planning thread only
   Signal asked_;
   LatestValue<PlanQuestion> questions_;
   LatestValue<PlanAnswer> answers_;

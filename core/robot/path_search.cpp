@@ -42,15 +42,15 @@ Joints toJoints(const ob::State* state, Eigen::Index joints) {
   return Eigen::Map<const Eigen::VectorXd>(state->as<ob::RealVectorStateSpace::StateType>()->values, joints);
 }
 
-/// Edges of the trees are proven clear, not sampled.
-class ProvenMotion final : public ob::MotionValidator {
+/// Edges of the trees are judged as wholes, not sampled.
+class WholeMotion final : public ob::MotionValidator {
  public:
-  ProvenMotion(const ob::SpaceInformationPtr& space, const CollisionWorld& world, double finest_rad)
-      : MotionValidator(space), world_(world), finest_rad_(finest_rad) {}
+  WholeMotion(const ob::SpaceInformationPtr& space, const Passable& passable)
+      : MotionValidator(space), passable_(passable) {}
 
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
     const auto joints = static_cast<Eigen::Index>(si_->getStateDimension());
-    return !world_.firstContact(toJoints(from, joints), toJoints(to, joints), finest_rad_);
+    return passable_.along(toJoints(from, joints), toJoints(to, joints));
   }
   /// Asked by planners that keep part of a blocked edge; RRT-Connect does not.
   bool checkMotion(const ob::State* from, const ob::State* to,
@@ -62,8 +62,7 @@ class ProvenMotion final : public ob::MotionValidator {
   }
 
  private:
-  const CollisionWorld& world_;
-  double finest_rad_;
+  const Passable& passable_;
 };
 
 ob::ScopedState<> toState(const ob::StateSpacePtr& space, const Joints& q) {
@@ -73,11 +72,11 @@ ob::ScopedState<> toState(const ob::StateSpacePtr& space, const Joints& q) {
 }
 
 /// What RRT-Connect needs to know of the arm and what is around it.
-void describe(og::SimpleSetup& setup, const CollisionWorld& world, Eigen::Index joints, double finest_rad) {
+void describe(og::SimpleSetup& setup, const Passable& passable, Eigen::Index joints) {
   setup.setStateValidityChecker(
-      [&world, joints](const ob::State* state) { return !world.collides(toJoints(state, joints)); });
+      [&passable, joints](const ob::State* state) { return passable.at(toJoints(state, joints)); });
   const auto& space = setup.getSpaceInformation();
-  space->setMotionValidator(std::make_shared<ProvenMotion>(space, world, finest_rad));
+  space->setMotionValidator(std::make_shared<WholeMotion>(space, passable));
   const auto planner = std::make_shared<og::RRTConnect>(space);
   planner->setRange(kTreeStep_rad);
   setup.setPlanner(planner);
@@ -85,13 +84,13 @@ void describe(og::SimpleSetup& setup, const CollisionWorld& world, Eigen::Index 
 
 }  // namespace
 
-std::vector<Joints> searchPath(const CollisionWorld& world, const Joints& from, const Joints& to,
+std::vector<Joints> searchPath(const Passable& passable, const Joints& from, const Joints& to,
                                const JointRanges& bounds, const PathSearchSettings& settings) {
   if (!bounds.have(from) || !bounds.have(to)) return {};
   ompl::msg::noOutputHandler();
   const ob::StateSpacePtr space = spaceOf(bounds, settings.seed);
   og::SimpleSetup setup(space);
-  describe(setup, world, from.size(), settings.finest_rad);
+  describe(setup, passable, from.size());
   setup.setStartAndGoalStates(toState(space, from), toState(space, to));
   setup.setup();
   ob::IterationTerminationCondition counted(kMaxIterations);

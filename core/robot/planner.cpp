@@ -50,26 +50,37 @@ struct Planner::Body {
     return world.firstContact(from, to, settings.resolution_rad);
   }
 
+  [[nodiscard]] bool keeps(const PostureRule& rule, const Joints& from, const Joints& to) const {
+    const int looks = 1 + static_cast<int>((to - from).cwiseAbs().maxCoeff() / settings.look_rad);
+    for (int i = 1; i <= looks; ++i)
+      if (!rule(from + (static_cast<double>(i) / looks) * (to - from))) return false;
+    return true;
+  }
+
+  [[nodiscard]] Passable passable() const {
+    return {[this](const Joints& q) { return !world.collides(q); },
+            [this](const Joints& from, const Joints& to) { return edgeIsClear(from, to); }};
+  }
+  [[nodiscard]] Passable passable(const PostureRule& rule) const {
+    return {[this, &rule](const Joints& q) { return rule(q) && !world.collides(q); },
+            [this, &rule](const Joints& from, const Joints& to) {
+              return keeps(rule, from, to) && edgeIsClear(from, to);
+            }};
+  }
+
   /// The joint range that a path may use.
   [[nodiscard]] JointRanges near(const Joints& from, const Joints& to) const {
     const auto room = Joints::Constant(from.size(), settings.max_joint_range_rad);
     return {arm.lower.cwiseMax(from.cwiseMin(to) - room), arm.upper.cwiseMin(from.cwiseMax(to) + room)};
   }
 
-  [[nodiscard]] std::vector<Joints> search(const Joints& from, const Joints& to,
-                                           const JointRanges& bounds) const {
-    return searchPath(world, from, to, bounds,
-                      {settings.resolution_rad, 0.5 * settings.max_time, settings.seed});
-  }
-
   /// Around `barrier`, which blocks the straight way.
   [[nodiscard]] Expected<PlannedPath, PlanRefusal> around(Contact barrier, const Joints& from,
-                                                          const Joints& to) const {
-    if (const auto path = search(from, to, near(from, to)); !path.empty()) {
-      const auto is_clear = [this](const Joints& a, const Joints& b) { return edgeIsClear(a, b); };
-      return PlannedPath{splitEdges(shortened(path, is_clear), PlannedPath::kMostWaypoints), false};
-    }
-    const bool with_more_range = !search(from, to, arm).empty();
+                                                          const Joints& to, const Passable& where) const {
+    const PathSearchSettings search{0.5 * settings.max_time, settings.seed};
+    if (const auto path = searchPath(where, from, to, near(from, to), search); !path.empty())
+      return PlannedPath{splitEdges(shortened(path, where), PlannedPath::kMostWaypoints), false};
+    const bool with_more_range = !searchPath(where, from, to, arm, search).empty();
     return unexpected(
         PlanRefusal{with_more_range ? PlanError::kJointRange : PlanError::kNoPath, std::move(barrier)});
   }
@@ -94,7 +105,8 @@ bool Planner::directIsClear(const Joints& from, const Joints& to) const {
   return body_->edgeIsClear(from, to);
 }
 
-Expected<PlannedPath, PlanRefusal> Planner::plan(const Joints& from, const Joints& to) {
+Expected<PlannedPath, PlanRefusal> Planner::plan(const Joints& from, const Joints& to,
+                                                 const PostureRule& also) {
   if (!body_->arm.have(to)) return unexpected(PlanRefusal{PlanError::kGoalBlocked});
   const Admitted ends(body_->world, from, to, body_->settings.keep);
   if (auto contact = body_->world.contact(from))
@@ -103,7 +115,8 @@ Expected<PlannedPath, PlanRefusal> Planner::plan(const Joints& from, const Joint
     return unexpected(PlanRefusal{PlanError::kGoalBlocked, std::move(contact)});
   auto barrier = body_->contactOn(from, to);
   if (!barrier) return PlannedPath{{to}, true};
-  return body_->around(std::move(*barrier), from, to);
+  const bool is_ruled = also && also(from) && also(to);
+  return body_->around(std::move(*barrier), from, to, is_ruled ? body_->passable(also) : body_->passable());
 }
 
 std::string_view id(PlanError error) {

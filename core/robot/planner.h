@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,9 +21,13 @@ struct PlannerSettings {
       1.0;                   ///< a path that moves one joint further than this from both ends is rejected
   SafeDistances keep{};      ///< of the whole way
   double reserve_m = 0.005;  ///< more than that between the ends: a motion along the way bends off it
+  double look_rad = 0.05;    ///< between postures at which a rule is looked at
   Seconds max_time{0.5};     ///< for both searches of a plan; their number of steps is bounded too
   std::uint64_t seed = 1;
 };
+
+/// What an arm must keep in every posture, besides its distances.
+using PostureRule = std::function<bool(const Joints& q)>;
 
 /// Why there is no path.
 enum class PlanError {
@@ -63,9 +68,11 @@ class Planner {
   [[nodiscard]] std::optional<Contact> contact(const Joints& q) const;
   /// Both ends and the straight joint motion between them.
   [[nodiscard]] bool directIsClear(const Joints& from, const Joints& to) const;
-  /// A way that begins nearer to things than `keep` may stay so near, but goes no nearer. The same question
-  /// finds the same path, unless time runs out first.
-  [[nodiscard]] Expected<PlannedPath, PlanRefusal> plan(const Joints& from, const Joints& to);
+  /// A way that begins nearer to things than `keep` may stay so near, but goes no nearer. `also` must hold
+  /// all along a way around something, looked at every `look_rad`; it counts only where it holds at both
+  /// ends. The same question finds the same path, unless time runs out first.
+  [[nodiscard]] Expected<PlannedPath, PlanRefusal> plan(const Joints& from, const Joints& to,
+                                                        const PostureRule& also = {});
 
  private:
   struct Body;

@@ -240,9 +240,8 @@ void ControlStage::follow() {
   if (answer) obey(follower_.take(*answer, servo.commanded, servo.time));
   if (!moved_on || !target_motion_.isKnown()) return;
   const TimePoint begun = Clock::now();
-  const auto kept =
-      gaze_.keep(goalAt(servo.time + toClock(handover_ + arm_delay_.value())),
-                 follower_.X_BE(servo.commanded.q_rad), {state_.X_BT.translation(), target_radius_m_});
+  const auto kept = gaze_.keep(goalAt(servo.time + toClock(handover_ + arm_delay_.value())),
+                               follower_.X_BE(servo.commanded.q_rad), sight());
   state_.gaze_kept = kept.shortened;
   obey(follower_.step(kept.goal, servo.commanded, servo.time));
   state_.follow_ms = 1e3 * secondsBetween(begun, Clock::now());
@@ -251,11 +250,17 @@ void ControlStage::follow() {
 void ControlStage::obey(const control::FollowStep& step) {
   state_.follow = step.outcome;
   state_.contact = step.contact;
-  if (step.question) desk_.ask(*step.question, now_);
+  if (step.question) {
+    control::PlanQuestion question = *step.question;
+    question.sight = sight();
+    desk_.ask(question, now_);
+  }
   if (!step.isNew()) return;
   state_.trajectory = step.trajectory;
   servo_.setTrajectory(step.trajectory);
 }
+
+control::Sight ControlStage::sight() const { return {state_.X_BT.translation(), target_radius_m_}; }
 
 /// Where the target will be, so that the arm, which trails its commands, meets it.
 control::ToolGoal ControlStage::goalAt(TimePoint time) const {

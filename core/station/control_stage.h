@@ -59,6 +59,7 @@ class ControlStage {
   void noteTarget(const FrameReport& report, TimePoint exposed_at, const RigidTransform& X_BF);
   void follow();
   void obey(const control::FollowStep& step);
+  [[nodiscard]] control::Sight sight() const;
   [[nodiscard]] control::ToolGoal goalAt(TimePoint time) const;
   void tellServo();
   void publish();

@@ -15,13 +15,23 @@ control::AssistSettings assistFor(const StationSettings& settings, const Equipme
   return {equipment.X_FE.translation(), settings.force, settings.assist};
 }
 
+/// A way around something is no use if the cameras on the hand lose the target on it.
+control::SightRule sightFor(const Equipment& equipment) {
+  return [gaze = control::Gaze(equipment.rig, equipment.X_FE.inverse() * equipment.X_FC),
+          kinematics = std::make_shared<const robot::Kinematics>(equipment.arm),
+          X_FE = equipment.X_FE](const robot::Joints& q, const control::Sight& sight) {
+    return gaze.sees(kinematics->flange(q) * X_FE, sight);
+  };
+}
+
 }  // namespace
 
 Stages::Stages(const Equipment& equipment, const StationSettings& settings)
     : limits(limitsFor(settings, equipment.arm)),
       servo(equipment.arm, limits, *equipment.robot, settings.supervisor, assistFor(settings, equipment),
             robot::Clearance(equipment.arm, equipment.attached, equipment.obstacles)),
-      desk(robot::Planner(equipment.arm, equipment.attached, equipment.obstacles, settings.planner)),
+      desk(robot::Planner(equipment.arm, equipment.attached, equipment.obstacles, settings.planner),
+           sightFor(equipment)),
       tracking(equipment.rig, settings),
       recorder(settings, limits, equipment.simulated),
       control(equipment, settings, limits, servo, desk, tracking, recorder) {}
