@@ -61,7 +61,9 @@ void run(const Wish& wish, Context& context) {
     throw CommandFailed(wish.address + ": no pose" + (wish.tool.empty() ? "" : " of '" + wish.tool + "'") +
                         " came");
   orFail(writeWhole(wish.out, [&](std::ostream& out) { write(out, poses); }));
+  const auto& sights = receiver->sights();
   context.result["poses"] = poses.size();
+  context.result["told"] = {{"tracked", sights[0]}, {"predicted", sights[1]}, {"lost", sights[2]}};
   if (!context.json) std::cout << poses.size() << " poses written to " << wish.out << "\n";
 }
 

@@ -6,11 +6,11 @@
 #include "app/cli/arm_angles.h"
 #include "app/cli/commands.h"
 #include "app/cli/point_source.h"
+#include "app/cli/target_files.h"
 #include "app/cli/timing.h"
 #include "app/cli/tracker_option.h"
 #include "core/tracking/layout_report.h"
 #include "core/tracking/pose_file.h"
-#include "core/tracking/target_file.h"
 #include "core/tracking/tracker.h"
 
 namespace mirrorarm::cli {
@@ -29,19 +29,6 @@ struct Options {
   AngleOptions angles;
   tracking::TrackingMethod tracker = tracking::TrackerSettings{}.method;
 };
-
-std::vector<Target> readTargets(const std::vector<std::filesystem::path>& files) {
-  std::vector<Target> targets;
-  for (const auto& file : files) {
-    Target target = orRefuse(tracking::readTarget(file));
-    const bool twice = std::any_of(targets.begin(), targets.end(),
-                                   [&target](const Target& other) { return other.name == target.name; });
-    if (twice)
-      throw InputRefused(file.string() + ": name '" + target.name + "' is that of another target already");
-    targets.push_back(std::move(target));
-  }
-  return targets;
-}
 
 PoseRow rowOf(const PointFrame& frame, const Target& target, const TrackedTarget& answer) {
   PoseRow row{frame.index, target.name, answer, {}};

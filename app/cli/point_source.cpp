@@ -58,12 +58,13 @@ class RecordingSource final : public PointSource {
 
 }  // namespace
 
-void addPointInput(CLI::App& command, PointInput& input) {
-  auto* group = command.add_option_group("Input", "Exactly one");
+void addPointInput(CLI::App& command, PointInput& input, Inputs inputs) {
+  const bool needed = inputs == Inputs::kOne;
+  auto* group = command.add_option_group("Input", needed ? "Exactly one" : "At most one");
   group->add_option("REC", input.recording, "Folder of a recording");
   auto* clouds =
       group->add_option("--clouds", input.clouds, "Table of measured points: index,time_ns,x_m,y_m,z_m");
-  group->require_option(1);
+  group->require_option(needed ? 1 : 0, 1);
   addMethodOption(command, input.method)->excludes(clouds);
 }
 

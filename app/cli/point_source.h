@@ -14,15 +14,17 @@
 
 namespace mirrorarm::cli {
 
-/// Where `track` and `teach` take their points from; exactly one is given.
+/// Where points are taken from; one is given, or none where a command has another source.
 struct PointInput {
   std::filesystem::path recording;
   std::filesystem::path clouds;
   vision::CentreMethod method = vision::FinderSettings{}.method;  ///< for a recording
 };
 
+/// How many inputs a command takes.
+enum class Inputs { kOne, kAtMostOne };
 /// The positional REC and the options --clouds and --method of a command.
-void addPointInput(CLI::App& command, PointInput& input);
+void addPointInput(CLI::App& command, PointInput& input, Inputs inputs = Inputs::kOne);
 
 /// The points of one frame.
 struct PointFrame {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "core/devices/ipv4.h"
-
 namespace mirrorarm::devices {
 namespace {
 
@@ -45,25 +43,16 @@ std::string_view id(RobotRefusal refusal) {
 
 Expected<std::unique_ptr<IgtlRobotHost>, std::string> IgtlRobotHost::open(
     const IgtlRobotHostSettings& settings, const robot::ArmDescription& arm, robot::RobotLink& robot) {
-  std::vector<std::uint32_t> allowed;
-  for (const std::string& host : settings.allowed) {
-    const auto address = ipv4Of(host);
-    if (!address) return unexpected(address.error());
-    allowed.push_back(*address);
-  }
-  auto listener = TcpListener::open(settings.address, settings.port);
-  if (!listener) return unexpected(listener.error());
-  return std::unique_ptr<IgtlRobotHost>(
-      new IgtlRobotHost(settings, arm, robot, std::move(*listener), std::move(allowed)));
+  auto door = IgtlDoor::open(settings.address, settings.port, settings.allowed);
+  if (!door) return unexpected(door.error());
+  return std::unique_ptr<IgtlRobotHost>(new IgtlRobotHost(settings, arm, robot, std::move(*door)));
 }
 
 IgtlRobotHost::IgtlRobotHost(const IgtlRobotHostSettings& settings, const robot::ArmDescription& arm,
-                             robot::RobotLink& robot, TcpListener listener,
-                             std::vector<std::uint32_t> allowed)
+                             robot::RobotLink& robot, IgtlDoor door)
     : settings_(settings),
       robot_(robot),
-      listener_(std::move(listener)),
-      allowed_(std::move(allowed)),
+      door_(std::move(door)),
       lower_rad_(arm.jointCount()),
       upper_rad_(arm.jointCount()),
       max_speed_rad_s_(arm.jointCount()) {
@@ -104,6 +93,12 @@ void IgtlRobotHost::cycle() {
   tell();
 }
 
+IgtlRobotHostReport IgtlRobotHost::report() const {
+  IgtlRobotHostReport report = report_;
+  report.turned_away += door_.strangers();
+  return report;
+}
+
 void IgtlRobotHost::readRobot() {
   const auto read = robot_.read();
   if (read) {
@@ -121,16 +116,14 @@ void IgtlRobotHost::readRobot() {
 }
 
 void IgtlRobotHost::greet() {
-  auto caller = listener_.accept();
+  auto caller = door_.accept();
   if (!caller) return;
-  const bool known = std::find(allowed_.begin(), allowed_.end(), caller->address) != allowed_.end();
-  if (!known || client_.isOpen()) {
+  if (client_.isOpen()) {
     ++report_.turned_away;
-    if (known) sendStatus(caller->socket, kDenied, "another client has the robot");
-    return;
+    return sendStatus(*caller, kDenied, "another client has the robot");
   }
   ++report_.callers;
-  client_ = std::move(caller->socket);
+  client_ = std::move(*caller);
   received_.clear();
   state_.heeded = 0;
   sendStatus(client_, settings_.allow_motion ? kAllIsWell : kDisabled,

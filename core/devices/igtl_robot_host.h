@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/devices/igtl_door.h"
 #include "core/devices/igtl_robot_protocol.h"
 #include "core/devices/tcp_socket.h"
 #include "core/robot/arm_description.h"
@@ -61,12 +62,12 @@ class IgtlRobotHost {
   /// Until asked to stop, or `longest` is over; then the robot is halted.
   void run(const std::stop_token& stop, Seconds longest);
 
-  [[nodiscard]] std::uint16_t port() const { return listener_.port(); }
-  [[nodiscard]] const IgtlRobotHostReport& report() const { return report_; }
+  [[nodiscard]] std::uint16_t port() const { return door_.port(); }
+  [[nodiscard]] IgtlRobotHostReport report() const;
 
  private:
   IgtlRobotHost(const IgtlRobotHostSettings& settings, const robot::ArmDescription& arm,
-                robot::RobotLink& robot, TcpListener listener, std::vector<std::uint32_t> allowed);
+                robot::RobotLink& robot, IgtlDoor door);
   void cycle();
   void readRobot();
   void listen();
@@ -82,8 +83,7 @@ class IgtlRobotHost {
 
   const IgtlRobotHostSettings settings_;
   robot::RobotLink& robot_;
-  TcpListener listener_;
-  std::vector<std::uint32_t> allowed_;
+  IgtlDoor door_;
   robot::Joints lower_rad_, upper_rad_, max_speed_rad_s_;
 
   TcpSocket client_;

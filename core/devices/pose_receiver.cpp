@@ -28,6 +28,7 @@ Expected<std::vector<ReceivedPose>, std::string> PoseReceiver::receive(Seconds p
     const auto message = stream_.next();
     if (!message) return unexpected("the tracker " + std::string(reason(message.error())));
     if (!*message) return poses;
+    if (const auto report = targetReportOf(**message)) ++sights_[static_cast<std::size_t>(report->sight)];
     for (auto& pose : posesOf(**message)) poses.push_back(std::move(pose));
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "core/common/expected.h"
 #include "core/common/time.h"
 #include "core/devices/igtl_poses.h"
+#include "core/devices/igtl_target.h"
 #include "core/devices/tcp_socket.h"
 
 namespace mirrorarm::devices {
@@ -22,10 +25,14 @@ class PoseReceiver {
   /// more will come: the tracker closed the line, or sent what cannot be trusted.
   [[nodiscard]] Expected<std::vector<ReceivedPose>, std::string> receive(Seconds patience);
 
+  /// How often a tracker of ours has told a target as what, by TargetSight.
+  [[nodiscard]] const std::array<std::uint64_t, 3>& sights() const { return sights_; }
+
  private:
   explicit PoseReceiver(TcpSocket socket) : socket_(std::move(socket)) {}
   TcpSocket socket_;
   IgtlStream stream_;
+  std::array<std::uint64_t, 3> sights_{};
 };
 
 }  // namespace mirrorarm::devices

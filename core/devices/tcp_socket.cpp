@@ -96,6 +96,17 @@ bool TcpSocket::send(std::span<const std::byte> bytes) const noexcept {
   return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
 }
 
+Expected<std::size_t, int> TcpSocket::sendSome(std::span<const std::byte> bytes) const noexcept {
+  const auto size = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  if (size >= 0) return static_cast<std::size_t>(size);
+  if (errno == EAGAIN || errno == EINTR) return std::size_t{0};
+  return unexpected(int{errno});
+}
+
+void TcpSocket::keepShort(int most_bytes) const noexcept {
+  ::setsockopt(socket_, SOL_SOCKET, SO_SNDBUF, &most_bytes, sizeof most_bytes);
+}
+
 Expected<TcpListener, std::string> TcpListener::open(const std::string& address, std::uint16_t port) {
   const auto number = ipv4Of(address);
   if (!number) return unexpected(number.error());

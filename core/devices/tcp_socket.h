@@ -43,6 +43,10 @@ class TcpSocket {
   [[nodiscard]] Expected<std::size_t, int> receive(std::span<std::byte> into) const noexcept;
   /// All of it or, where the line is full or broken, false: then a message may have been cut.
   [[nodiscard]] bool send(std::span<const std::byte> bytes) const noexcept;
+  /// As much of it as the line takes now, be it nothing. The error is errno's.
+  [[nodiscard]] Expected<std::size_t, int> sendSome(std::span<const std::byte> bytes) const noexcept;
+  /// The system keeps no more than about so many bytes for a slow reader.
+  void keepShort(int most_bytes) const noexcept;
 
  private:
   int socket_ = -1;

@@ -27,6 +27,7 @@ TEST(BadInput, WrongUse) {
   expectRefused("calibrate stereo", "");
   expectRefused("serve", "subcommand");
   expectRefused("serve robot --robot kuka:1", "--robot");
+  expectRefused("serve tracking recording", "--target");
   expectRefused("session --robot kuka:1 --out x", "--robot");
   expectRefused("session --fast --robot fri:49938 --out x", "--fast", "x");
 }

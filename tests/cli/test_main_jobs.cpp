@@ -189,7 +189,7 @@ TEST(MainJobs, EveryCommandShowsAnExample) {
   for (const std::string command :
        {"session", "simulate", "detect", "track", "teach", "calibrate stereo", "calibrate mono",
         "calibrate hand-eye", "calibrate clock", "doctor", "experiment accuracy", "experiment occlusion",
-        "experiment timing", "listen", "target check", "arm"}) {
+        "experiment timing", "listen", "serve robot", "serve tracking", "target check", "arm"}) {
     const auto help = run(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_NE(help.out.find("Example:"), std::string::npos) << command;

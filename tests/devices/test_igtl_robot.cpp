@@ -65,7 +65,7 @@ class IgtlRobotTest : public ::testing::Test {
     EXPECT_TRUE(link) << link.error();
     return link ? std::move(*link) : nullptr;
   }
-  const IgtlRobotHostReport& end() {
+  IgtlRobotHostReport end() {
     thread_.request_stop();
     thread_.join();
     return host_->report();
