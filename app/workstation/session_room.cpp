@@ -37,7 +37,7 @@ station::StationSettings stationSettings(const WorkstationOrder& order) {
   settings.exercise = order.motion.empty() ? order.exercise : order.motion.filename().string();
   settings.planner.seed = order.seed;
   settings.supervisor.enabling_needed = order.enabling_key;
-  settings.assist.adapts = order.help_as_needed;
+  settings.assist.help.adapts = order.help_as_needed;
   return settings;
 }
 

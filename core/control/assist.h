@@ -12,10 +12,16 @@ struct Stiffness {
   double tool_turn_nm_rad = 0.0;
 };
 
+/// How much the robot is to help.
+struct Help {
+  bool adapts = false;  ///< to the error, from the level where it is; false: goes to `level` and stays there
+  double level = 1.0;   ///< 0 the least help, 1 the most
+  bool operator==(const Help&) const = default;
+};
+
 /// What the therapist plans for one patient.
 struct AssistPlan {
-  bool adapts = false;  ///< false: `level` stays
-  double level = 1.0;   ///< to begin with; 0 the least help, 1 the most
+  Help help;  ///< to begin with
   Stiffness least{100.0, 200.0, 10.0};
   Stiffness most{1000.0, 2000.0, 100.0};
   double gain_1_m_s = 6.0;       ///< by how much the level grows a second for each metre of error

@@ -1,6 +1,7 @@
 #include "core/control/assist_loop.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/control/force_estimate.h"
 
@@ -12,8 +13,13 @@ AssistLoop::AssistLoop(const AssistSettings& settings, robot::GivesWay gives_way
       gives_way_(gives_way),
       period_(period),
       watch_(settings.force) {
+  choose(plan_.help);
   state_.gives_way = gives_way_ != robot::GivesWay::kNot;
-  if (state_.gives_way) state_.level = std::clamp(plan_.level, 0.0, 1.0);
+  if (state_.gives_way) state_.level = help_.level;
+}
+
+void AssistLoop::choose(const Help& help) noexcept {
+  if (std::isfinite(help.level)) help_ = {help.adapts, std::clamp(help.level, 0.0, 1.0)};
 }
 
 robot::Jacobian AssistLoop::slingJacobian(const robot::Joints& q,
@@ -44,9 +50,9 @@ double AssistLoop::nextLevel(bool learning) const noexcept {
   const double level = state_.level;
   if (state_.force.level >= ForceLevel::kSoften) return softenedAfter(level, plan_, period_);
   if (state_.force.level == ForceLevel::kWarning) return level;
-  if (plan_.adapts) return learning ? assistAfter(level, state_.error_m, plan_, period_) : level;
+  if (help_.adapts) return learning ? assistAfter(level, state_.error_m, plan_, period_) : level;
   const double step = plan_.max_rate_1_s * period_.count();
-  return level + std::clamp(plan_.level - level, -step, step);
+  return level + std::clamp(help_.level - level, -step, step);
 }
 
 robot::Compliance AssistLoop::compliance(int joints) const noexcept {

@@ -28,11 +28,16 @@ class AssistLoop {
  public:
   AssistLoop(const AssistSettings& settings, robot::GivesWay gives_way, Seconds period);
 
+  /// Other help than before, from the next cycle on: the level goes there at the plan's rate. A level beyond
+  /// 0 and 1 is brought back to them; one that is not finite changes nothing.
+  void choose(const Help& help) noexcept;
+
   /// The force that the newest reading tells of. Before the watchdogs.
   void feel(const robot::RobotState& measured, const robot::Kinematics& kinematics) noexcept;
 
   /// The level for the next cycle: softer while the force is near its limit, adapted to the error while the
-  /// robot follows (`learning`), else back to the plan's. After the command of this cycle is known.
+  /// robot follows (`learning`), or back to the one that was chosen. After the command of this cycle is
+  /// known.
   void adapt(const robot::Joints& commanded, const robot::Joints& measured,
              const robot::Kinematics& kinematics, bool learning) noexcept;
 
@@ -46,6 +51,7 @@ class AssistLoop {
                                               const robot::Kinematics& kinematics) const noexcept;
   const Eigen::Vector3d p_FE_F_;
   const AssistPlan plan_;
+  Help help_;
   const robot::GivesWay gives_way_;
   const Seconds period_;
   ForceWatch watch_;

@@ -100,6 +100,7 @@ struct ServoLoop::Body {
       vitals.following = news->following;
       vitals.last_decision = vitals.now;
     }
+    if (const Help* const news = help.take()) assist.choose(*news);
     state.enabling = vitals.enabling = enabling.update(vitals.now);
     if (const Order* const news = orders.take()) next = news;
     // The motion before goes on until the new one begins.
@@ -278,6 +279,7 @@ struct ServoLoop::Body {
   EnablingSwitch enabling;                    // any thread -> servo
   LatestValue<Order> orders;                  // control -> servo
   LatestValue<Tracking> tracking;             // control -> servo
+  LatestValue<Help> help;                     // control -> servo
   BoundedQueue<ServoState, kStates> states;   // servo -> control
 
   // Servo thread only.
@@ -321,6 +323,7 @@ void ServoLoop::setTrajectory(const robot::Trajectory& trajectory) noexcept {
   body_->orders.put({trajectory, body_->latch.value()});
 }
 void ServoLoop::setTracking(const Tracking& tracking) noexcept { body_->tracking.put(tracking); }
+void ServoLoop::setHelp(const Help& help) noexcept { body_->help.put(help); }
 void ServoLoop::stop(StopReason reason) noexcept { body_->latch.stop(reason); }
 void ServoLoop::resetStop() noexcept {
   body_->reset_asked.store(body_->latch.value().changes, std::memory_order_release);

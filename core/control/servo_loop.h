@@ -46,6 +46,10 @@ class ServoLoop {
   };
   void setTracking(const Tracking& tracking) noexcept;
 
+  /// How much the robot is to help from the next cycle on, where it gives way; see AssistLoop::choose().
+  /// Control thread only.
+  void setHelp(const Help& help) noexcept;
+
   /// Brings the robot to rest from any thread, past every queue; takes effect in the next cycle.
   void stop(StopReason reason) noexcept;
   /// Asks to free the latch. Granted or refused in the next cycle, as ServoState::reset says: not while the

@@ -23,6 +23,8 @@ enum class Answer {
   kTargetUnseen,   ///< aligning and starting need the target in view
   kNotCalibrated,  ///< aligning and starting need calibrations that are in force and hold
   kTooFewMarkers,  ///< teaching saw fewer than three markers, or three on a line
+  kHoldsStiffly,   ///< help can be changed where the robot gives way to forces
+  kOutOfRange,     ///< the level of help is not within 0 and 1
   kQueueFull,      ///< refused at once; ask again
 };
 /// "accepted", "not_now", ...

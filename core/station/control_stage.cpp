@@ -1,5 +1,7 @@
 #include "core/station/control_stage.h"
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/common/log.h"
@@ -14,6 +16,11 @@ namespace {
 
 /// Two plans of the longest kind: the one that is under way, then the newest question.
 constexpr Seconds kPlanningPatience{1.5};
+
+std::string eventOf(const control::Help& help) {
+  if (help.adapts) return "help.adapts";
+  return "help.fixed." + std::to_string(std::lround(100.0 * help.level));
+}
 
 }  // namespace
 
@@ -35,7 +42,9 @@ ControlStage::ControlStage(const Equipment& equipment, const StationSettings& se
                 robot::CollisionWorld(equipment.arm, equipment.attached, equipment.obstacles),
                 settings.follower),
       gaze_(equipment.rig, equipment.X_FE.inverse() * equipment.X_FC),
-      digest_(equipment.arm, equipment.robot->period()) {}
+      digest_(equipment.arm, equipment.robot->period()) {
+  state_.help = settings.assist.help;
+}
 
 void ControlStage::report(const FrameReport& report) noexcept {
   if (!reports_.push(report)) lost_reports_.fetch_add(1, std::memory_order_relaxed);
@@ -45,7 +54,7 @@ void ControlStage::step(TimePoint now) {
   now_ = now;
   drainServo();
   takeReports();
-  obeyCommands();
+  obeyWishes();
   follow();
   tellServo();
   publish();
@@ -142,17 +151,20 @@ void ControlStage::sample(const FrameReport& report, TimePoint exposed_at, const
   recorder_.add(sample);
 }
 
-void ControlStage::obeyCommands() {
-  while (const auto command = commands_.pop()) {
-    if (command->action == Action::kFinishTeaching && state_.phase == Phase::kTaught) {
-      answer(Answer::kAccepted);  // the lesson was faster: it ended by itself
-      continue;
-    }
-    const auto given = obey(*command);
-    // A lesson's answer comes when it has ended.
-    if (command->action != Action::kFinishTeaching || given != Answer::kAccepted) answer(given);
-  }
+void ControlStage::obeyWishes() {
+  while (const auto wish = wishes_.pop()) std::visit([this](const auto& wanted) { take(wanted); }, *wish);
 }
+
+void ControlStage::take(const Command& command) {
+  const bool ends_lesson = command.action == Action::kFinishTeaching;
+  // The lesson was faster: it ended by itself.
+  if (ends_lesson && state_.phase == Phase::kTaught) return answer(Answer::kAccepted);
+  const auto given = obey(command);
+  // A lesson's answer comes when it has ended.
+  if (!ends_lesson || given != Answer::kAccepted) answer(given);
+}
+
+void ControlStage::take(const control::Help& help) { answer(change(help)); }
 
 Answer ControlStage::obey(const Command& command) {
   const auto next = therapy::after(state_.phase, command.action);
@@ -209,10 +221,20 @@ Answer ControlStage::start() {
     session_start_ = now_;
     recorder_.begin(mapping_);
     static_cast<void>(digest_.takePeaks());  // what was before does not belong to the session
+    recordHelp();
   }
   recordEvent("started");
   follower_.reset();
   desk_.withdraw();
+  return Answer::kAccepted;
+}
+
+Answer ControlStage::change(const control::Help& help) {
+  if (!state_.servo.assist.gives_way) return Answer::kHoldsStiffly;
+  if (!(help.level >= 0.0 && help.level <= 1.0)) return Answer::kOutOfRange;
+  state_.help = help;
+  servo_.setHelp(help);
+  recordHelp();
   return Answer::kAccepted;
 }
 
@@ -291,6 +313,10 @@ double ControlStage::sessionTime(TimePoint time) const { return secondsBetween(*
 
 void ControlStage::recordEvent(std::string_view event) {
   if (session_start_) recorder_.addEvent(sessionTime(now_), event);
+}
+
+void ControlStage::recordHelp() {
+  if (state_.servo.assist.gives_way) recordEvent(eventOf(state_.help));
 }
 
 }  // namespace mirrorarm::station

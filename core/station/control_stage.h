@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "core/common/bounded_queue.h"
 #include "core/common/latest_value.h"
@@ -31,7 +32,10 @@ class ControlStage {
 
   /// Any thread.
   [[nodiscard]] Answer request(const Command& command) noexcept {
-    return commands_.push(command) ? Answer::kAccepted : Answer::kQueueFull;
+    return wishes_.push(command) ? Answer::kAccepted : Answer::kQueueFull;
+  }
+  [[nodiscard]] Answer changeHelp(const control::Help& help) noexcept {
+    return wishes_.push(help) ? Answer::kAccepted : Answer::kQueueFull;
   }
   /// Tracking thread.
   void report(const FrameReport& report) noexcept;
@@ -50,8 +54,11 @@ class ControlStage {
   void takeReport(const FrameReport& report);
   void endTeaching(const FrameReport& report);
   void sample(const FrameReport& report, TimePoint exposed_at, const RigidTransform& X_BF);
-  void obeyCommands();
+  void obeyWishes();
+  void take(const Command& command);
+  void take(const control::Help& help);
   [[nodiscard]] Answer obey(const Command& command);
+  [[nodiscard]] Answer change(const control::Help& help);
   [[nodiscard]] Answer align(therapy::Mapping mapping);
   [[nodiscard]] Answer start();
   void pause();
@@ -66,6 +73,7 @@ class ControlStage {
   [[nodiscard]] bool stopLatched() const;
   [[nodiscard]] double sessionTime(TimePoint time) const;
   void recordEvent(std::string_view event);
+  void recordHelp();
 
   const RigidTransform X_FC_;
   const RigidTransform X_FE_;
@@ -81,7 +89,7 @@ class ControlStage {
   control::Follower follower_;
   control::Gaze gaze_;
   ServoDigest digest_;
-  BoundedQueue<Command, 16> commands_;
+  BoundedQueue<std::variant<Command, control::Help>, 16> wishes_;
   BoundedQueue<FrameReport, 64> reports_;
   std::atomic<std::uint64_t> lost_reports_{0};
 

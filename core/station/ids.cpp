@@ -19,6 +19,10 @@ std::string_view id(Answer answer) {
       return "not_calibrated";
     case Answer::kTooFewMarkers:
       return "too_few_markers";
+    case Answer::kHoldsStiffly:
+      return "holds_stiffly";
+    case Answer::kOutOfRange:
+      return "out_of_range";
     case Answer::kQueueFull:
       return "queue_full";
   }

@@ -68,6 +68,10 @@ void LockstepStation::advanceTo(TimePoint time) { body_->advanceTo(time); }
 
 Answer LockstepStation::request(const Command& command) { return body_->stages.control.request(command); }
 
+Answer LockstepStation::changeHelp(const control::Help& help) {
+  return body_->stages.control.changeHelp(help);
+}
+
 void LockstepStation::stop(control::StopReason reason) noexcept { body_->stages.servo.stop(reason); }
 
 void LockstepStation::resetStop() noexcept { body_->stages.servo.resetStop(); }

@@ -22,6 +22,7 @@ class LockstepStation final : public StationPort {
   void advanceTo(TimePoint time);
 
   [[nodiscard]] Answer request(const Command& command) override;
+  [[nodiscard]] Answer changeHelp(const control::Help& help) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
   void setEnabling(control::EnablingPosition position) noexcept override;

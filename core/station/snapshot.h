@@ -40,6 +40,7 @@ struct ControlState {
   TimePoint time{};
   therapy::Phase phase = therapy::Phase::kPrepare;
   control::ServoState servo;
+  control::Help help;  ///< as it is wanted; servo.assist says how it is
   control::FollowOutcome follow = control::FollowOutcome::kHeld;
   std::optional<robot::Contact>
       contact;               ///< what stands in the way, where following is blocked and it is known

@@ -102,6 +102,8 @@ Station::~Station() = default;
 
 Answer Station::request(const Command& command) { return body_->stages.control.request(command); }
 
+Answer Station::changeHelp(const control::Help& help) { return body_->stages.control.changeHelp(help); }
+
 void Station::stop(control::StopReason reason) noexcept { body_->stages.servo.stop(reason); }
 
 void Station::resetStop() noexcept { body_->stages.servo.resetStop(); }

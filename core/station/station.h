@@ -19,6 +19,7 @@ class Station final : public StationPort {
   Station& operator=(const Station&) = delete;
 
   [[nodiscard]] Answer request(const Command& command) override;
+  [[nodiscard]] Answer changeHelp(const control::Help& help) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
   void setEnabling(control::EnablingPosition position) noexcept override;

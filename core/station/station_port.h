@@ -16,6 +16,9 @@ class StationPort {
   /// Any thread.
   [[nodiscard]] virtual Answer request(const Command& command) = 0;
 
+  /// How much the robot is to help from now on, in any phase; answered like a command. Any thread.
+  [[nodiscard]] virtual Answer changeHelp(const control::Help& help) = 0;
+
   /// Brings the robot to rest, past every queue. Any thread, any time, as often as wanted.
   virtual void stop(control::StopReason reason) noexcept = 0;
   /// Asks to free a latched stop; the session stays paused. The snapshot's `servo.reset` says why it is

@@ -14,14 +14,14 @@ constexpr Seconds kCycle{0.001};
 
 AssistPlan adapting() {
   AssistPlan plan;
-  plan.adapts = true;
+  plan.help.adapts = true;
   return plan;
 }
 
 /// An arm of 20 N in a sling on a spring: what the patient does not carry himself stretches the spring.
 class Patient {
  public:
-  explicit Patient(const AssistPlan& plan) : plan_(plan), level_(plan.level) {}
+  explicit Patient(const AssistPlan& plan) : plan_(plan), level_(plan.help.level) {}
 
   /// `effort`: the share that he carries.
   void train(double effort, double seconds) {
@@ -111,6 +111,39 @@ TEST(Assist, LevelIsForgottenWhileFollowingOnly) {
   EXPECT_NEAR(bench.state.assist.level, before * std::exp(-2.0 * settings.plan.forgetting_1_s), 0.01);
 }
 
+TEST(Assist, ChosenLevelIsReachedAtThePlansRateWhateverIsChosenMeanwhile) {
+  ServoBench bench({}, GivesWay::kInJoints);
+  const AssistPlan plan;
+  double level = bench.state.assist.level;
+  const auto follow = [&](double seconds) {
+    for (double t = 0.0; t < seconds; t += kCycle.count()) {
+      bench.cycle();
+      EXPECT_LE(std::abs(bench.state.assist.level - level), plan.max_rate_1_s * kCycle.count() + 1e-12);
+      level = bench.state.assist.level;
+    }
+  };
+  bench.loop->setHelp({false, 0.2});
+  follow(1.0);
+  EXPECT_NEAR(level, 0.5, 0.002);
+  EXPECT_NEAR(bench.robot.compliance.joint_stiffness_nm_rad[0],
+              complianceAt(level, plan, 7).joint_stiffness_nm_rad[0], 1e-9);
+  bench.loop->setHelp({true, 0.9});
+  follow(0.5);
+  EXPECT_NEAR(level, 0.5, 0.05) << "adapts from where it was";
+  bench.loop->setHelp({false, 0.9});
+  follow(2.0);
+  EXPECT_DOUBLE_EQ(level, 0.9);
+}
+
+TEST(Assist, ChosenLevelStaysWithinItsBounds) {
+  ServoBench bench({}, GivesWay::kAtTool);
+  for (const auto& [chosen, level] : {std::pair{-3.0, 0.0}, {7.0, 1.0}, {0.4, 0.4}, {std::nan(""), 0.4}}) {
+    bench.loop->setHelp({false, chosen});
+    bench.run(3.0);
+    EXPECT_DOUBLE_EQ(bench.state.assist.level, level) << chosen;
+  }
+}
+
 TEST(Assist, StepThatHelpsDoesNotAllocate) {
   if (!::mirrorarm::testing::heapIsCounted) GTEST_SKIP() << "a sanitizer owns the heap";
   AssistSettings settings;
@@ -121,6 +154,7 @@ TEST(Assist, StepThatHelpsDoesNotAllocate) {
   bench.setOut();
   std::size_t calls = 0;
   for (int i = 0; i < 500; ++i) {
+    if (i % 50 == 0) bench.loop->setHelp({i % 100 == 0, 0.002 * i});
     if (i == 300) bench.robot.external_torque_nm = 300.0 * Joints::Ones(7);
     calls += ::mirrorarm::testing::heapCallsIn([&] { bench.cycle(); });
   }

@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "bench_session.h"
+#include "core/records/store.h"
 
 namespace mirrorarm::station {
 namespace {
@@ -29,6 +33,15 @@ void train(BenchSession& session, double seconds = 2.0) {
                 [&](const Snapshot& seen) { return isTraining(seen) && seen.control.session_s > seconds; }),
             SessionScript::Progress::kRunning)
       << session.script().failure();
+}
+
+/// What the session's record says of the help, in the order of its events.
+std::vector<std::string> helpEventsOf(BenchSession& session) {
+  const auto store = records::Store::openExisting(session.folder() / "store.sqlite").value();
+  std::vector<std::string> found;
+  for (const auto& event : store->events(1).value())
+    if (event.event.starts_with("help.")) found.push_back(event.event);
+  return found;
 }
 
 /// The operator keeps the device where it is for so long.
@@ -125,7 +138,7 @@ TEST(Help, FallsWhenThePatientCarriesHisArmAndComesBackWhenHeRelaxes) {
   auto bench = benchFor("reach");
   bench.robot_gives_way = true;
   StationSettings settings;
-  settings.assist.adapts = true;
+  settings.assist.help.adapts = true;
   BenchSession session(kLong, bench, settings);
   session.bench().setPatientEffort(1.0);
   train(session, 12.0);
@@ -137,6 +150,48 @@ TEST(Help, FallsWhenThePatientCarriesHisArmAndComesBackWhenHeRelaxes) {
   const double help_for_the_relaxed = session.script().seen().control.servo.assist.level;
   EXPECT_GT(help_for_the_relaxed, help_for_the_able + 0.05);
   EXPECT_LE(help_for_the_relaxed, 1.0);
+}
+
+TEST(Help, ChangedInASessionGoesThereSteadilyAndIsRecorded) {
+  auto bench = benchFor("reach");
+  bench.robot_gives_way = true;
+  BenchSession session(kLong, bench);
+  train(session);
+  EXPECT_EQ(session.script().seen().control.help, control::Help{});
+  ASSERT_EQ(session.station().changeHelp({false, 0.4}), Answer::kAccepted);
+  double level = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double next = session.wait(Seconds(0.05)).control.servo.assist.level;
+    EXPECT_LE(std::abs(next - level), control::AssistPlan{}.max_rate_1_s * 0.0501);
+    level = next;
+  }
+  EXPECT_DOUBLE_EQ(level, 0.4);
+  EXPECT_EQ(session.station().changeHelp({true, 0.4}), Answer::kAccepted);
+  const auto& adapting = session.wait(Seconds(0.3)).control;
+  EXPECT_EQ(adapting.last_answer, Answer::kAccepted);
+  EXPECT_EQ(adapting.help, (control::Help{true, 0.4}));
+  EXPECT_EQ(adapting.phase, therapy::Phase::kTraining);
+  EXPECT_EQ(helpEventsOf(session),
+            (std::vector<std::string>{"help.fixed.100", "help.fixed.40", "help.adapts"}));
+}
+
+TEST(Help, CannotBeChangedWhereTheRobotHoldsItsPositionOrBeyondItsRange) {
+  BenchSession stiff(kLong);
+  stiff.wait(Seconds(0.2));
+  ASSERT_EQ(stiff.station().changeHelp({false, 0.4}), Answer::kAccepted);
+  const auto& refused = stiff.wait(Seconds(0.2)).control;
+  EXPECT_EQ(refused.last_answer, Answer::kHoldsStiffly);
+  EXPECT_EQ(refused.help, control::Help{});
+
+  auto bench = benchFor("reach");
+  bench.robot_gives_way = true;
+  BenchSession soft(kLong, bench);
+  soft.wait(Seconds(0.2));
+  for (const double level : {-0.1, 1.1, std::nan("")}) {
+    ASSERT_EQ(soft.station().changeHelp({false, level}), Answer::kAccepted);
+    EXPECT_EQ(soft.wait(Seconds(0.2)).control.last_answer, Answer::kOutOfRange);
+  }
+  EXPECT_EQ(soft.wait(Seconds(0.2)).control.help, control::Help{});
 }
 
 TEST(Line, ThatLosesAMessageInTwentyIsBridged) {

@@ -189,6 +189,15 @@ station::Answer FakeStation::request(const station::Command& command) {
   return answer;
 }
 
+station::Answer FakeStation::changeHelp(const control::Help& help) {
+  if (answer != station::Answer::kAccepted) return answer;
+  const bool can = shown.control.servo.assist.gives_way;
+  ++shown.control.answers;
+  shown.control.last_answer = can ? station::Answer::kAccepted : station::Answer::kHoldsStiffly;
+  if (can) shown.control.help = help;
+  return answer;
+}
+
 void FakeStation::stop(control::StopReason reason) noexcept {
   ++stops;
   shown.control.servo.stop = reason;

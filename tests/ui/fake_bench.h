@@ -17,6 +17,7 @@ class FakeStation final : public station::StationPort {
   explicit FakeStation(const Workplace& workplace);
 
   [[nodiscard]] station::Answer request(const station::Command& command) override;
+  [[nodiscard]] station::Answer changeHelp(const control::Help& help) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
   void setEnabling(control::EnablingPosition position) noexcept override;

@@ -20,6 +20,7 @@ class Journal {
   struct Seen {
     therapy::Phase phase;
     control::StopReason stop;
+    control::Help help;
     station::Recording recording;
     std::uint32_t answers;
     std::array<int, tracking::kSkinEventCount> skin_events;

@@ -101,6 +101,11 @@ QString words(control::EnablingPosition position) {
   return {};
 }
 
+QString words(const control::Help& help) {
+  if (help.adapts) return Words::tr("The help adapts to the patient");
+  return Words::tr("Help fixed at %1 %").arg(100.0 * help.level, 0, 'f', 0);
+}
+
 QString words(control::MotionRefusal refusal) {
   switch (refusal) {
     case control::MotionRefusal::kNone:
@@ -197,6 +202,10 @@ QString words(station::Answer answer) {
       return Words::tr("The calibration does not hold: calibrate, or check it, before a session");
     case station::Answer::kTooFewMarkers:
       return Words::tr("At least three markers that are not on one line must be seen");
+    case station::Answer::kHoldsStiffly:
+      return Words::tr("The robot holds its position stiffly");
+    case station::Answer::kOutOfRange:
+      return Words::tr("The help lies between 0 and 100 %");
     case station::Answer::kQueueFull:
       return Words::tr("The station is busy. Ask again");
   }

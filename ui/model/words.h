@@ -19,6 +19,7 @@ namespace mirrorarm::ui {
 
 [[nodiscard]] QString words(control::StopReason reason);
 [[nodiscard]] QString words(control::EnablingPosition position);
+[[nodiscard]] QString words(const control::Help& help);
 [[nodiscard]] QString words(control::MotionRefusal refusal);
 [[nodiscard]] QString words(control::FollowOutcome outcome);
 /// What of the robot is too near to what.

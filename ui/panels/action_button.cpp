@@ -32,6 +32,11 @@ void ActionButton::setWords(const QString& words) {
   setShortcut(key);
 }
 
+void ActionButton::setOn(const QString& words, bool on) {
+  setChecked(on);
+  setWords((on ? QStringLiteral("☑ ") : QStringLiteral("☐ ")) + words);
+}
+
 void ActionButton::setPrimary(bool primary) {
   if (property("primary").toBool() == primary) return;
   setProperty("primary", primary);

@@ -14,6 +14,8 @@ class ActionButton : public QPushButton {
 
   /// Other words on it; name and key stay.
   void setWords(const QString& words);
+  /// A choice that is on or off: a box before the words says which.
+  void setOn(const QString& words, bool on);
   /// The one thing to press in a step: large and in the accent colour.
   void setPrimary(bool primary);
 

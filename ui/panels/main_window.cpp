@@ -49,6 +49,7 @@ MainWindow::MainWindow(station::StationPort& port, Workplace workplace, Themes t
       themes_(std::move(themes)),
       feed_(port),
       session_(port),
+      help_(port),
       robot_(workplace_),
       trace_(workplace_.X_FE, kTraceWindow_s),
       journal_(log_),
@@ -59,7 +60,7 @@ MainWindow::MainWindow(station::StationPort& port, Workplace workplace, Themes t
       scene_(new SceneView(workplace_)),
       images_(new StereoImageView(workplace_.rig)),
       quality_panel_(new QualityPanel),
-      robot_panel_(new RobotPanel),
+      robot_panel_(new RobotPanel(help_)),
       alarm_bar_(new AlarmBar(alarms_)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(workplace_.simulated ? tr("mirrorarm – simulation") : QStringLiteral("mirrorarm"));
@@ -142,6 +143,8 @@ void MainWindow::join() {
           [this](const TrackingState& state) { quality_panel_->show(state); });
   connect(&robot_, &RobotPresenter::figuresChanged, robot_panel_,
           [this](const RobotFigures& figures) { robot_panel_->show(figures); });
+  connect(&help_, &HelpPresenter::refused, this,
+          [this](const QString& why) { log_.add(LogModel::tr("Refused: %1").arg(why)); });
   connect(images_, &StereoImageView::enlargeWanted, this, &MainWindow::enlargeImages);
   connect(header_, &HeaderBar::imagesWanted, this, &MainWindow::enlargeImages);
   connect(header_, &HeaderBar::calibrationWanted, this, &MainWindow::calibrationWanted);
@@ -177,6 +180,7 @@ void MainWindow::present(const station::Snapshot& snapshot, TimePoint now) {
   session_.show(snapshot);
   session_panel_->setChecks(readinessOf(snapshot, workplace_, now));
   session_panel_->setSummary(summaryOf(snapshot.record.measures));
+  help_.show(snapshot);
   tracking_.show(snapshot, now);
   robot_.show(snapshot, now);
   journal_.show(snapshot);

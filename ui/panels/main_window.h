@@ -7,6 +7,7 @@
 
 #include "core/station/station_port.h"
 #include "ui/model/alarm_list.h"
+#include "ui/model/help_presenter.h"
 #include "ui/model/journal.h"
 #include "ui/model/live_feed.h"
 #include "ui/model/log_model.h"
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   LiveFeed feed_;
   SessionPresenter session_;
   TrackingPresenter tracking_;
+  HelpPresenter help_;
   RobotPresenter robot_;
   MotionTrace trace_;
   AlarmList alarms_;

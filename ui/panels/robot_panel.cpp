@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/help_bars.h"
+#include "ui/panels/help_choice.h"
 #include "ui/panels/joint_bars.h"
 #include "ui/panels/text.h"
 
@@ -14,7 +15,7 @@ constexpr int kMotion_px = 130;  // for the longest of its words
 
 }  // namespace
 
-RobotPanel::RobotPanel(QWidget* parent)
+RobotPanel::RobotPanel(HelpPresenter& help, QWidget* parent)
     : QWidget(parent),
       motion_(makeText("status")),
       help_(new HelpBars),
@@ -46,6 +47,7 @@ RobotPanel::RobotPanel(QWidget* parent)
   for (int i = 0; i < 2; ++i) grid->setColumnStretch(i, 1);
   inside->addLayout(grid);
   inside->addWidget(help_);
+  inside->addWidget(new HelpChoice(help));
   inside->addWidget(joints_);
 }
 

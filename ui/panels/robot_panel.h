@@ -2,6 +2,7 @@
 
 #include <QLabel>
 
+#include "ui/model/help_presenter.h"
 #include "ui/model/robot_presenter.h"
 #include "ui/views/theme.h"
 
@@ -15,7 +16,8 @@ class JointBars;
 class RobotPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit RobotPanel(QWidget* parent = nullptr);
+  /// `help` outlives the panel.
+  explicit RobotPanel(HelpPresenter& help, QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void show(const RobotFigures& figures);
   using QWidget::show;

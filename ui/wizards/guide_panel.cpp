@@ -37,12 +37,6 @@ QLabel* makeWrapped(const char* role, const char* name) {
   return label;
 }
 
-/// A box before the words says whether it is on.
-void setOn(ActionButton& toggle, const QString& text, bool on) {
-  toggle.setChecked(on);
-  toggle.setWords((on ? QStringLiteral("☑ ") : QStringLiteral("☐ ")) + text);
-}
-
 }  // namespace
 
 GuidePanel::GuidePanel(CalibrationPresenter& presenter, ViewList& views, QWidget* parent)
@@ -141,10 +135,11 @@ void GuidePanel::drawActions(const CalibrationState& state) {
     actions_[i]->setVisible(state.allows(action));
     actions_[i]->setEnabled(state.allows(action));
   }
-  setOn(*actions_[static_cast<std::size_t>(CalibrationAction::kSetAutomatic)],
-        words(CalibrationAction::kSetAutomatic), state.automatic);
-  setOn(*actions_[static_cast<std::size_t>(CalibrationAction::kSetDriving)],
-        words(CalibrationAction::kSetDriving), state.driving);
+  const auto set = [this](CalibrationAction action, bool on) {
+    actions_[static_cast<std::size_t>(action)]->setOn(words(action), on);
+  };
+  set(CalibrationAction::kSetAutomatic, state.automatic);
+  set(CalibrationAction::kSetDriving, state.driving);
 }
 
 }  // namespace mirrorarm::ui

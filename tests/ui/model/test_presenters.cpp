@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/fake_bench.h"
+#include "ui/model/help_presenter.h"
 #include "ui/model/journal.h"
 #include "ui/model/readiness.h"
 #include "ui/model/robot_presenter.h"
@@ -119,6 +120,57 @@ TEST_F(Presenters, ForceHelpAndTheKindOfStopAreShown) {
   const QString held = figures().motion;
   station_.stop(control::StopReason::kRobotSilent);
   EXPECT_NE(figures().motion, held) << "drives on, drives off";
+}
+
+TEST_F(Presenters, HelpCannotBeChosenWhereTheRobotHoldsItsPosition) {
+  HelpPresenter help(station_);
+  help.show(station_.snapshot());
+  EXPECT_FALSE(help.state().can_change || help.state().can_lessen || help.state().can_raise);
+  EXPECT_EQ(help.state().reason, words(station::Answer::kHoldsStiffly));
+  help.lessen();
+  EXPECT_EQ(station_.shown.control.help, control::Help{});
+  station_.answer = station::Answer::kQueueFull;
+  QString refusal;
+  QObject::connect(&help, &HelpPresenter::refused, [&](const QString& why) { refusal = why; });
+  help.lessen();
+  EXPECT_EQ(refusal, words(station::Answer::kQueueFull));
+}
+
+TEST_F(Presenters, HelpIsChosenInStepsAndFixedWhereItHasAdaptedTo) {
+  HelpPresenter help(station_);
+  const auto& wanted = station_.shown.control.help;
+  auto& assist = station_.shown.control.servo.assist;
+  assist.gives_way = true;
+  const auto beat = [&] { help.show(station_.snapshot()); };
+  beat();
+  EXPECT_TRUE(help.state().reason.isEmpty());
+  EXPECT_EQ(help.state().level, QStringLiteral("100 %"));
+  EXPECT_FALSE(help.state().can_raise);
+  help.lessen();
+  EXPECT_EQ(wanted, (control::Help{false, 0.9}));
+  station_.shown.control.help.level = 0.44;  // as a plan may begin
+  beat();
+  help.lessen();
+  EXPECT_EQ(wanted, (control::Help{false, 0.4}));
+  station_.shown.control.help.level = 0.44;
+  help.raise();
+  EXPECT_EQ(wanted, (control::Help{false, 0.5}));
+  beat();
+  help.setAdapts(true);
+  EXPECT_EQ(wanted, (control::Help{true, 0.5}));
+  assist.level = 0.27;
+  beat();
+  EXPECT_TRUE(help.state().adapts);
+  EXPECT_FALSE(help.state().can_lessen || help.state().can_raise);
+  help.setAdapts(false);
+  EXPECT_EQ(wanted, (control::Help{false, 0.3}));
+  for (int i = 0; i < 5; ++i) {
+    beat();
+    help.lessen();
+  }
+  beat();
+  EXPECT_EQ(wanted, (control::Help{false, 0.0}));
+  EXPECT_FALSE(help.state().can_lessen);
 }
 
 TEST_F(Presenters, TheChosenMappingGoesWithAligning) {

@@ -135,6 +135,38 @@ TEST_F(Window, TheEnablingKeyHasThreePositionsAndIsReleasedWithTheWindow) {
   EXPECT_EQ(position, EnablingPosition::kReleased);
 }
 
+TEST_F(Window, HelpIsChosenByMouseAndKeysAndNotWhereTheRobotIsStiff) {
+  enter(Phase::kTraining);
+  auto* reason = find<QLabel>("helpReason");
+  EXPECT_FALSE(find("helpAdaptsButton")->isEnabled());
+  EXPECT_FALSE(find("moreHelpButton")->isVisible());
+  EXPECT_TRUE(reason->isVisible() && !reason->text().isEmpty());
+  keep(QStringLiteral("help-stiff.png"));
+  auto& control = station_.shown.control;
+  control.servo.assist.gives_way = true;
+  beat();
+  EXPECT_FALSE(reason->isVisible());
+  find("lessHelpButton")->click();
+  EXPECT_EQ(control.help, (control::Help{false, 0.9}));
+  beat();
+  window_.activateWindow();
+  QTest::keyClick(&window_, Qt::Key_Down, Qt::ControlModifier);
+  EXPECT_EQ(control.help, (control::Help{false, 0.8}));
+  beat();
+  EXPECT_EQ(find<QLabel>("helpLevel")->text(), QStringLiteral("80 %"));
+  keep(QStringLiteral("help-fixed.png"));
+  QTest::keyClick(&window_, Qt::Key_H, Qt::ControlModifier);
+  EXPECT_TRUE(control.help.adapts);
+  beat();
+  EXPECT_TRUE(find("helpAdaptsButton")->isChecked());
+  EXPECT_FALSE(find("moreHelpButton")->isEnabled());
+  for (const bool dark : {false, true}) {
+    window_.setDark(dark);
+    QCoreApplication::processEvents();
+    keep(dark ? QStringLiteral("help-adapts-dark.png") : QStringLiteral("help-adapts.png"));
+  }
+}
+
 TEST_F(Window, TheButtonsLeadThroughASession) {
   for (const char* name :
        {"teachButton", "keepMarkersButton", "alignButton", "startButton", "pauseButton", "finishButton"}) {
@@ -177,6 +209,7 @@ TEST_F(Window, EverythingThatCanBeOperatedHasANameAndAKey) {
 
 TEST_F(Window, NothingIsCutOffOnASmallScreen) {
   for (const auto phase : kPhases) {
+    station_.shown.control.servo.assist.gives_way = phase == Phase::kTraining;
     enter(phase);
     EXPECT_EQ(window_.size(), QSize(1366, 768)) << "the content needs more than the screen has";
     for (const auto* label : window_.findChildren<QLabel*>()) {
