@@ -122,6 +122,13 @@ nlohmann::ordered_json resultOf(const Options& options, const Outcome& outcome, 
           {"session", outcome.record.session}};
 }
 
+/// What only a robot that tells torques, or gives way to forces, has.
+void addForceAndHelp(const therapy::SessionMeasures& measures, nlohmann::ordered_json& result) {
+  if (measures.force_share) result["force_share"] = *measures.force_share;
+  if (measures.help_level) result["help_level"] = *measures.help_level;
+  if (measures.help_adapting_share) result["help_adapting_share"] = *measures.help_adapting_share;
+}
+
 void writeFiles(const Options& options, const Outcome& outcome, const RigidTransform& X_FE,
                 const nlohmann::ordered_json& result) {
   auto store = records::Store::openExisting(options.out / "store.sqlite");
@@ -158,6 +165,7 @@ void session(const Options& options, Context& context) {
         ? CommandFailed("the session's record is not complete: " + std::string(id(outcome.record.recording)))
         : ended_early;
   context.result = resultOf(options, outcome, audit);
+  addForceAndHelp(outcome.record.measures, context.result);
   writeFiles(options, outcome, bench->X_FE(), context.result);
   if (!outcome.failure.empty()) throw ended_early;
   if (!context.json) std::cout << context.result.dump(2) << std::endl;

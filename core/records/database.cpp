@@ -50,8 +50,7 @@ std::unique_ptr<soci::session> connected(const std::filesystem::path& file) {
 }
 
 void requireKnownVersion(soci::session& sql) {
-  int version = 0;
-  sql << "select version from store", soci::into(version);
+  const int version = schemaVersion(sql);
   if (version == kSchemaVersion) return;
   throw std::runtime_error("is of version " + std::to_string(version) + ", this program knows version " +
                            std::to_string(kSchemaVersion));
@@ -73,6 +72,7 @@ std::unique_ptr<soci::session> openDatabase(const std::filesystem::path& file, W
   if (is_new && file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   auto sql = connected(file);
   if (is_new) makeSchema(*sql);
+  migrateSchema(*sql);
   requireKnownVersion(*sql);
   useWriteAheadLog(*sql);
   return sql;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -16,7 +17,8 @@ using therapy::Sample;
 using tracking::TrackStatus;
 
 constexpr std::array<const char*, 4> kNumbers{"time_s", "rms_m", "sigma_t_m", "sigma_r_rad"};
-constexpr std::array<const char*, 2> kCounts{"training", "matched"};
+constexpr std::array<const char*, 2> kKnowns{"force_share", "help_level"};
+constexpr std::array<const char*, 3> kCounts{"training", "matched", "help_adapts"};
 constexpr std::array<const char*, 4> kPoses{"ct", "bt", "be", "goal"};
 constexpr std::array<const char*, 7> kPoseParts{"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"};
 constexpr std::array<const char*, 3> kJoints{"q_rad", "v_rad_s", "a_rad_s2"};
@@ -27,7 +29,7 @@ struct Suffixes {
   const char* number = "";
   const char* count = "";
   const char* text = "";
-  const char* pose_part = "";
+  const char* maybe = "";  // a number that may be missing
 };
 
 /// ", PREFIXname SUFFIX" for every column but the keys.
@@ -37,10 +39,11 @@ std::string columnList(const std::string& prefix = "", const Suffixes& suffixes 
     list += ", " + prefix + name + suffix;
   };
   for (const auto* number : kNumbers) add(number, suffixes.number);
+  for (const auto* known : kKnowns) add(known, suffixes.maybe);
   for (const auto* count : kCounts) add(count, suffixes.count);
   add("status", suffixes.text);
   for (const auto* pose : kPoses)
-    for (const auto* part : kPoseParts) add(std::string(pose) + "_" + part, suffixes.pose_part);
+    for (const auto* part : kPoseParts) add(std::string(pose) + "_" + part, suffixes.maybe);
   for (const auto* joints : kJoints) add(joints, suffixes.text);
   return list;
 }
@@ -84,6 +87,21 @@ struct PoseCells {
   }
 };
 
+/// A number that may be missing, as it lies in its column.
+struct KnownCell {
+  double value = 0.0;
+  soci::indicator there = soci::i_null;
+
+  void set(const std::optional<double>& known) {
+    if (known && !std::isfinite(*known)) throw std::runtime_error("a number is not finite");
+    value = known.value_or(0.0);
+    there = known ? soci::i_ok : soci::i_null;
+  }
+  [[nodiscard]] std::optional<double> known() const {
+    return there == soci::i_ok ? std::optional(value) : std::nullopt;
+  }
+};
+
 TrackStatus statusOf(std::string_view name) {
   const auto found = std::ranges::find(kStatusNames, name);
   if (found == kStatusNames.end()) throw std::runtime_error("the status of a sample is damaged");
@@ -93,7 +111,8 @@ TrackStatus statusOf(std::string_view name) {
 /// One row, bound once to a statement and filled or read again and again.
 struct SampleRow {
   double time_s = 0.0, rms_m = 0.0, sigma_t_m = 0.0, sigma_r_rad = 0.0;
-  int training = 0, matched = 0;
+  KnownCell force_share, help_level;
+  int training = 0, matched = 0, help_adapts = 0;
   std::string status;
   std::array<PoseCells, kPoses.size()> poses;
   std::array<std::string, kJoints.size()> joints;
@@ -107,6 +126,9 @@ struct SampleRow {
     sigma_r_rad = sample.sigma_r_rad;
     training = sample.training ? 1 : 0;
     matched = sample.matched;
+    force_share.set(sample.force_share);
+    help_level.set(sample.help_level);
+    help_adapts = sample.help_adapts ? 1 : 0;
     status = kStatusNames.at(static_cast<std::size_t>(sample.status));
     const bool seen = sample.status != TrackStatus::kLost;
     poses[0].set(sample.X_CT, seen);
@@ -124,6 +146,9 @@ struct SampleRow {
     sample.sigma_r_rad = sigma_r_rad;
     sample.training = training != 0;
     sample.matched = matched;
+    sample.force_share = force_share.known();
+    sample.help_level = help_level.known();
+    sample.help_adapts = help_adapts != 0;
     sample.status = statusOf(status);
     sample.X_CT = poses[0].pose();
     sample.X_BT = poses[1].pose();
@@ -136,12 +161,12 @@ struct SampleRow {
   }
 };
 
-/// Hands every cell, a pose's with its indicator, to `take` in the order of columnList().
+/// Hands every cell, one that may be missing with its indicator, to `take` in the order of columnList().
 template <class Take>
 void eachCell(SampleRow& row, const Take& take) {
   for (double* number : {&row.time_s, &row.rms_m, &row.sigma_t_m, &row.sigma_r_rad}) take(*number);
-  take(row.training);
-  take(row.matched);
+  for (KnownCell* known : {&row.force_share, &row.help_level}) take(known->value, known->there);
+  for (int* count : {&row.training, &row.matched, &row.help_adapts}) take(*count);
   take(row.status);
   for (auto& pose : row.poses)
     for (std::size_t i = 0; i < pose.value.size(); ++i) take(pose.value[i], pose.there[i]);

@@ -1,5 +1,6 @@
 #include "core/records/schema.h"
 
+#include <array>
 #include <string>
 
 #include <soci/soci.h>
@@ -27,6 +28,15 @@ constexpr const char* kEventTable =
     "create table event (id integer primary key autoincrement, "
     "session_id integer not null references session (id), time_s real not null, event text not null)";
 
+/// What version 2 has and version 1 had not: force at the sling and help.
+constexpr std::array kSinceVersion2{"alter table session_measures add column force_share real",
+                                    "alter table session_measures add column help_level real",
+                                    "alter table session_measures add column help_adapting_share real",
+                                    "alter table sample add column force_share real",
+                                    "alter table sample add column help_level real",
+                                    "alter table sample add column help_adapts integer not null default 0",
+                                    "update store set version = 2"};
+
 bool isMade(soci::session& sql) {
   int tables = 0;
   sql << "select count(*) from sqlite_master where type = 'table' and name = 'store'", soci::into(tables);
@@ -51,6 +61,22 @@ void makeSchema(soci::session& sql) {
     sql << "insert into store (version, made_at, software) values (:version, :made_at, :software)",
         soci::use(kSchemaVersion), soci::use(made_at), soci::use(software);
   }
+  transaction.commit();
+}
+
+int schemaVersion(soci::session& sql) {
+  int version = 0;
+  sql << "select version from store", soci::into(version);
+  return version;
+}
+
+void migrateSchema(soci::session& sql) {
+  if (schemaVersion(sql) != 1) return;
+  soci::transaction transaction(sql);
+  // A write comes first, so that of two processes one waits here and then finds the work done.
+  sql << "pragma application_id = " << kApplicationId;
+  if (schemaVersion(sql) == 1)
+    for (const char* change : kSinceVersion2) sql << change;
   transaction.commit();
 }
 

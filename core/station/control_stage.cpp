@@ -148,6 +148,9 @@ void ControlStage::sample(const FrameReport& report, TimePoint exposed_at, const
   sample.q_rad = digest_.jointsAt(exposed_at);
   sample.v_rad_s = peaks.v_rad_s;
   sample.a_rad_s2 = peaks.a_rad_s2;
+  sample.force_share = peaks.force_share;
+  if (state_.servo.assist.gives_way) sample.help_level = state_.servo.assist.level;
+  sample.help_adapts = sample.help_level && state_.help.adapts;
   recorder_.add(sample);
 }
 

@@ -1,5 +1,7 @@
 #include "core/station/servo_digest.h"
 
+#include <algorithm>
+
 namespace mirrorarm::station {
 namespace {
 
@@ -12,7 +14,7 @@ ServoDigest::ServoDigest(const robot::ArmDescription& arm, Seconds period)
     : kinematics_(arm),
       period_s_(period.count()),
       cycles_(std::make_unique<RingLog<control::ServoState, kCycles>>()) {
-  peaks_ = {robot::Joints::Zero(arm.jointCount()), robot::Joints::Zero(arm.jointCount())};
+  peaks_.v_rad_s = peaks_.a_rad_s2 = robot::Joints::Zero(arm.jointCount());
 }
 
 void ServoDigest::add(const control::ServoState& state) {
@@ -20,6 +22,8 @@ void ServoDigest::add(const control::ServoState& state) {
   cycles_->add(state);
   if (state.measured.q_rad.size() == kinematics_.jointCount())
     flange_.add(state.measured.measured_at, kinematics_.flange(state.measured.q_rad));
+  if (state.assist.force.known)
+    peaks_.force_share = std::max(peaks_.force_share.value_or(0.0), state.assist.force.limit_share);
   if (state.sent.v_rad_s.size() == peaks_.v_rad_s.size()) notePeaks(state.sent.v_rad_s);
   last_sent_v_rad_s_ = state.sent.v_rad_s;
 }
@@ -44,6 +48,7 @@ ServoDigest::Peaks ServoDigest::takePeaks() {
   const Peaks taken = peaks_;
   peaks_.v_rad_s.setZero();
   peaks_.a_rad_s2.setZero();
+  peaks_.force_share.reset();
   return taken;
 }
 

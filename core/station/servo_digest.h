@@ -27,10 +27,12 @@ class ServoDigest {
   /// The measured joints of the last cycle not after `time`; the oldest kept where there is none.
   [[nodiscard]] robot::Joints jointsAt(TimePoint time) const;
 
-  /// Largest speed and acceleration of each joint that went over the wire since the last take.
+  /// Largest speed and acceleration of each joint that went over the wire, and largest share of the force
+  /// that is allowed, since the last take.
   struct Peaks {
     robot::Joints v_rad_s;
     robot::Joints a_rad_s2;
+    std::optional<double> force_share;  ///< nothing where the robot tells no torques
   };
   [[nodiscard]] Peaks takePeaks();
 

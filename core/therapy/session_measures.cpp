@@ -128,6 +128,25 @@ void addTracking(std::span<const Sample> samples, SessionMeasures& measures) {
   measures.rms_mm = 1e3 * rms_sum_m / tracked;
 }
 
+void addForce(std::span<const Sample> samples, SessionMeasures& measures) {
+  for (const auto& sample : samples)
+    if (sample.force_share)
+      measures.force_share = std::max(measures.force_share.value_or(0.0), *sample.force_share);
+}
+
+void addHelp(std::span<const Sample> samples, SessionMeasures& measures) {
+  double helped = 0.0, levels = 0.0, adapting = 0.0;
+  for (const auto& sample : samples) {
+    if (!sample.training || !sample.help_level) continue;
+    helped += 1.0;
+    levels += *sample.help_level;
+    if (sample.help_adapts) adapting += 1.0;
+  }
+  if (helped == 0.0) return;
+  measures.help_level = levels / helped;
+  measures.help_adapting_share = adapting / helped;
+}
+
 double activeTime(std::span<const Sample> samples) {
   double active_s = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -152,6 +171,8 @@ SessionMeasures measure(std::span<const Sample> samples, const robot::Joints& ma
   SessionMeasures measures;
   addTracking(samples, measures);
   measures.active_s = activeTime(samples);
+  addForce(samples, measures);
+  addHelp(samples, measures);
   const auto pieces = piecesOf(samples);
   if (std::ranges::count_if(samples, isMovement) < 2) return measures;
   addFollowing(pieces, measures);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/geometry/rigid_transform.h"
@@ -24,6 +25,11 @@ struct Sample {
   robot::Joints q_rad;                                    ///< measured
   robot::Joints v_rad_s;   ///< largest that went to the robot since the sample before
   robot::Joints a_rad_s2;  ///< largest that went to the robot since the sample before
+  /// Largest force at the sling since the sample before, as a share of what the plan allows; nothing where
+  /// the robot tells no torques.
+  std::optional<double> force_share;
+  std::optional<double> help_level;  ///< 0 to 1; nothing where the robot holds its position stiffly
+  bool help_adapts = false;          ///< to the error, else it is fixed
 };
 
 /// What a session comes to. Figures of movement are taken from the training samples alone.
@@ -41,8 +47,11 @@ struct SessionMeasures {
   double range_mm = 0.0;  ///< largest distance of the healthy arm from where training began
   double path_mm = 0.0;   ///< way of the end effector, in steps of at least 2 mm
   double active_s = 0.0;  ///< time in training
-  double joint_speed_ratio = 0.0;         ///< largest commanded joint speed to its limit
-  double joint_acceleration_ratio = 0.0;  ///< largest commanded joint acceleration to its limit
+  double joint_speed_ratio = 0.0;             ///< largest commanded joint speed to its limit
+  double joint_acceleration_ratio = 0.0;      ///< largest commanded joint acceleration to its limit
+  std::optional<double> force_share;          ///< largest of all samples, in training or not
+  std::optional<double> help_level;           ///< mean in training
+  std::optional<double> help_adapting_share;  ///< of the training with help, in which it adapted
 };
 
 /// `max_speed_rad_s` and `max_acceleration_rad_s2` are the limits in force; without them (size 0) the ratios

@@ -50,6 +50,9 @@ inline std::vector<therapy::Sample> anySamples(int count, unsigned seed = 5) {
     sample.q_rad = robot::Joints::Random(7);
     sample.v_rad_s = robot::Joints::Random(7);
     sample.a_rad_s2 = robot::Joints::Random(7);
+    if (i % 4 != 0) sample.force_share = 0.01 * i;
+    if (i % 7 != 0) sample.help_level = 0.02 * (i % 50);
+    sample.help_adapts = i % 2 == 0;
     samples.push_back(sample);
   }
   return samples;
@@ -74,6 +77,8 @@ inline therapy::SessionMeasures anyMeasures() {
   measures.lag_ms = 137.25;
   measures.gain = 0.97;
   measures.joint_acceleration_ratio = 0.99;
+  measures.force_share = 0.43;
+  measures.help_level = 0.0;
   return measures;
 }
 

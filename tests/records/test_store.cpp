@@ -32,6 +32,9 @@ void expectEqual(const therapy::Sample& a, const therapy::Sample& b) {
     EXPECT_EQ((a.*pose).translation(), (b.*pose).translation());
     EXPECT_TRUE((a.*pose).linear().isApprox((b.*pose).linear(), 1e-14));
   }
+  EXPECT_EQ(a.force_share, b.force_share);
+  EXPECT_EQ(a.help_level, b.help_level);
+  EXPECT_EQ(a.help_adapts, b.help_adapts);
   EXPECT_EQ(a.q_rad, b.q_rad);
   EXPECT_EQ(a.v_rad_s, b.v_rad_s);
   EXPECT_EQ(a.a_rad_s2, b.a_rad_s2);
@@ -74,6 +77,9 @@ TEST_F(StoreTest, AFinishedSessionHasItsMeasures) {
   EXPECT_EQ(session->measures.tracked_share, 0.987);
   EXPECT_EQ(session->measures.lag_ms, 137.25);
   EXPECT_EQ(session->measures.joint_acceleration_ratio, 0.99);
+  EXPECT_EQ(session->measures.force_share, 0.43);
+  EXPECT_EQ(session->measures.help_level, 0.0);
+  EXPECT_EQ(session->measures.help_adapting_share, std::nullopt) << "not known, which is not zero";
 }
 
 TEST_F(StoreTest, AnOpenSessionHasNoEndAndNoMeasures) {
@@ -130,6 +136,9 @@ TEST_F(StoreTest, ABadSampleRefusesItsWholeBatch) {
   EXPECT_FALSE(store_->addSamples(session_, samples));
   samples = anySamples(10);
   samples[7].X_BE.translation().x() = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(store_->addSamples(session_, samples));
+  samples = anySamples(10);
+  samples[7].force_share = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(store_->addSamples(session_, samples));
   EXPECT_TRUE(store_->samples(session_)->empty());
   EXPECT_TRUE(store_->addSamples(session_, anySamples(10)));

@@ -116,10 +116,43 @@ TEST(StoreFiles, ANewerVersionIsRefused) {
   const Folder folder;
   makeSmallStore(folder.store());
   soci::session(soci::sqlite3, "dbname=\"" + folder.store().string() + "\"")
-      << "update store set version = 2";
+      << "update store set version = 3";
   const auto store = Store::open(folder.store());
   ASSERT_FALSE(store);
-  EXPECT_NE(store.error().reason.find("is of version 2, this program knows version 1"), std::string::npos);
+  EXPECT_NE(store.error().reason.find("is of version 3, this program knows version 2"), std::string::npos);
+}
+
+/// Takes away what version 2 brought.
+void makeItVersion1(const std::filesystem::path& file) {
+  soci::session sql(soci::sqlite3, "dbname=\"" + file.string() + "\"");
+  for (const char* column : {"force_share", "help_level", "help_adapting_share"})
+    sql << std::string("alter table session_measures drop column ") + column;
+  for (const char* column : {"force_share", "help_level", "help_adapts"})
+    sql << std::string("alter table sample drop column ") + column;
+  sql << "update store set version = 1";
+}
+
+TEST(StoreFiles, AnOlderVersionIsBroughtUpAndNothingIsLost) {
+  const Folder folder;
+  makeSmallStore(folder.store());
+  makeItVersion1(folder.store());
+  for (int opening = 0; opening < 2; ++opening) {
+    const auto opened = Store::openExisting(folder.store());
+    ASSERT_TRUE(opened) << opened.error().reason;
+    Store& store = **opened;
+    const auto measures = store.session(1)->measures;
+    EXPECT_EQ(measures.lag_ms, anyMeasures().lag_ms);
+    EXPECT_FALSE(measures.force_share || measures.help_level || measures.help_adapting_share);
+    const auto samples = store.samples(1);
+    ASSERT_EQ(samples->size(), 40u);
+    EXPECT_FALSE(samples->back().force_share || samples->back().help_level || samples->back().help_adapts);
+    EXPECT_EQ(samples->back().rms_m, anySamples(40).back().rms_m);
+    const auto next = store.beginSession(anySession(1));
+    EXPECT_TRUE(store.addSamples(*next, anySamples(7)));
+    EXPECT_EQ(store.samples(*next)->at(1).force_share, anySamples(2)[1].force_share);
+    EXPECT_TRUE(store.finishSession(*next, "finished", anyMeasures()));
+    EXPECT_EQ(store.session(*next)->measures.help_level, anyMeasures().help_level);
+  }
 }
 
 TEST(StoreFiles, DamagedOnesNeverCrash) {

@@ -171,6 +171,13 @@ TEST(Help, ChangedInASessionGoesThereSteadilyAndIsRecorded) {
   EXPECT_EQ(adapting.last_answer, Answer::kAccepted);
   EXPECT_EQ(adapting.help, (control::Help{true, 0.4}));
   EXPECT_EQ(adapting.phase, therapy::Phase::kTraining);
+  ASSERT_EQ(session.station().request({therapy::Action::kFinish}), Answer::kAccepted);
+  const auto& measures = session.wait(Seconds(1.0)).record.measures;
+  EXPECT_GT(measures.force_share.value(), 0.05);
+  EXPECT_LT(measures.force_share.value(), 0.6);
+  EXPECT_GT(measures.help_level.value(), 0.4);
+  EXPECT_LT(measures.help_level.value(), 0.9);
+  EXPECT_NEAR(measures.help_adapting_share.value(), 0.3 / 4.3, 0.03);
   EXPECT_EQ(helpEventsOf(session),
             (std::vector<std::string>{"help.fixed.100", "help.fixed.40", "help.adapts"}));
 }

@@ -74,6 +74,24 @@ TEST(SessionMeasures, NothingTrainedLeavesTheMovementAtZero) {
   EXPECT_EQ(SyntheticSession::measured({}).frames, 0);
 }
 
+TEST(SessionMeasures, ForceIsTheLargestOfAllAndHelpTheMeanOfTraining) {
+  auto samples = SyntheticSession().samples();
+  EXPECT_FALSE(SyntheticSession::measured(samples).force_share);
+  EXPECT_FALSE(SyntheticSession::measured(samples).help_level);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].training = i >= 100;
+    samples[i].force_share = i == 50 ? 0.9 : 0.3;
+    samples[i].help_level = i < 100 ? 1.0 : i % 2 == 0 ? 0.2 : 0.4;
+    samples[i].help_adapts = i % 4 == 0;
+  }
+  samples.back().help_level.reset();
+  samples.back().training = true;
+  const auto measures = SyntheticSession::measured(samples);
+  EXPECT_DOUBLE_EQ(measures.force_share.value(), 0.9) << "a force before training, or after a stop, counts";
+  EXPECT_NEAR(measures.help_level.value(), 0.3, 0.001);
+  EXPECT_NEAR(measures.help_adapting_share.value(), 0.25, 0.001);
+}
+
 TEST(SessionMeasures, WithoutLimitsThereAreNoRatios) {
   const auto measures = measure(SyntheticSession{}.samples(), robot::Joints(), robot::Joints());
   EXPECT_EQ(measures.joint_speed_ratio, 0.0);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
+#include <string_view>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -49,6 +51,24 @@ KeyFigure ratioFigure(const QString& label, double ratio) {
   return {label, number(100.0 * ratio, 0), Report::tr("% of limit"), {}};
 }
 
+QString helpWords(const std::string& percent) {
+  return Report::tr("Help fixed at %1 %").arg(QString::fromStdString(percent));
+}
+
+KeyFigure forceFigure(const std::optional<double>& share) {
+  const QString label = Report::tr("Largest force");
+  if (!share) return {label, dash(), {}, Report::tr("not measured")};
+  return {label, number(100.0 * *share, 0), Report::tr("% of limit"), Report::tr("at the sling")};
+}
+
+KeyFigure helpFigure(const therapy::SessionMeasures& measures) {
+  const QString label = Report::tr("Mean help");
+  if (!measures.help_level) return {label, dash(), {}, Report::tr("robot held its position")};
+  const double adapting = 100.0 * measures.help_adapting_share.value_or(0.0);
+  return {label, number(100.0 * *measures.help_level, 0), Report::tr("%"),
+          Report::tr("adapting %1 % of the time").arg(number(adapting, 0))};
+}
+
 }  // namespace
 
 QString exerciseWords(const std::string& id) {
@@ -71,6 +91,8 @@ QString sideWords(const std::string& id) {
 }
 
 QString eventWords(const std::string& id) {
+  constexpr std::string_view kHelpFixed = "help.fixed.";
+  if (id.starts_with(kHelpFixed)) return helpWords(id.substr(kHelpFixed.size()));
   return lookedUp(
       {{"aligned", Report::tr("Reference frame set")},
        {"started", Report::tr("Training started")},
@@ -90,6 +112,7 @@ QString eventWords(const std::string& id) {
        {"stop.enabling_released", Report::tr("Stopped: the enabling key was let go")},
        {"stop.enabling_pressed_through", Report::tr("Stopped: the enabling key was pressed through")},
        {"stop.force", Report::tr("Stopped: the force at the sling became too large")},
+       {"help.adapts", Report::tr("The help adapts to the patient")},
        {"drives_off", Report::tr("The robot gave up its drives")}},
       id);
 }
@@ -133,7 +156,9 @@ std::vector<KeyFigure> keyFigures(const ReportContents& contents) {
        Report::tr("of %1").arg(QLocale().toString(measures.frames))},
       {Report::tr("Misfit of the target"), number(measures.rms_mm, 2), mm, Report::tr("accepted below 3 mm")},
       ratioFigure(Report::tr("Largest joint speed"), measures.joint_speed_ratio),
-      ratioFigure(Report::tr("Largest joint acceleration"), measures.joint_acceleration_ratio)};
+      ratioFigure(Report::tr("Largest joint acceleration"), measures.joint_acceleration_ratio),
+      forceFigure(measures.force_share),
+      helpFigure(measures)};
 }
 
 std::vector<QString> explanations() {
@@ -144,6 +169,9 @@ std::vector<QString> explanations() {
           "Error without lag: rms distance between end effector and goal with that delay taken out; error as "
           "felt: the same with the delay."),
       Report::tr("Gain: slope of the end effector's displacement against the goal's."),
+      Report::tr("Largest force: at the sling, of what the plan allows for the region of the body that it "
+                 "holds. Mean "
+                 "help: over the training; 0 % the softest, 100 % the stiffest springs of the plan."),
       Report::tr("Axes: x from the robot's foot towards the patient, z up."),
       Report::tr(
           "Paper: Busam et al., A Stereo Vision Approach for Cooperative Robotic Movement Therapy, 2015; its "

@@ -6,6 +6,7 @@
 #include "ui/model/readiness.h"
 #include "ui/model/robot_presenter.h"
 #include "ui/model/session_presenter.h"
+#include "ui/model/summary.h"
 #include "ui/model/tracking_presenter.h"
 #include "ui/model/words.h"
 
@@ -171,6 +172,19 @@ TEST_F(Presenters, HelpIsChosenInStepsAndFixedWhereItHasAdaptedTo) {
   beat();
   EXPECT_EQ(wanted, (control::Help{false, 0.0}));
   EXPECT_FALSE(help.state().can_lessen);
+}
+
+TEST(Summary, TellsForceAndHelpWhereTheyAreKnown) {
+  therapy::SessionMeasures measures;
+  const auto without = summaryOf(measures).size();
+  measures.force_share = 0.43;
+  EXPECT_EQ(summaryOf(measures).back().value, QStringLiteral("43 % of limit"));
+  measures.help_level = 0.62;
+  measures.help_adapting_share = 0.8;
+  const auto lines = summaryOf(measures);
+  ASSERT_EQ(lines.size(), without + 3);
+  EXPECT_EQ(lines[without + 1].value, QStringLiteral("62 %"));
+  EXPECT_EQ(lines[without + 2].value, QStringLiteral("80 % of time"));
 }
 
 TEST_F(Presenters, TheChosenMappingGoesWithAligning) {

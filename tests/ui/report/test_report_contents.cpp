@@ -82,6 +82,23 @@ TEST(ReportWords, TheLagStandsBesideThePapers) {
   EXPECT_EQ(keyFigures(contents).front().remark, "not determinable");
 }
 
+TEST(ReportWords, ForceAndHelpAreToldWhereTheyAreKnown) {
+  const SyntheticRecord record;
+  auto contents = contentsOf(record);
+  const auto figure = [&](const char* label) {
+    const auto figures = keyFigures(contents);
+    return *std::ranges::find(figures, QString::fromLatin1(label), &KeyFigure::label);
+  };
+  EXPECT_EQ(figure("Largest force").remark, "not measured");
+  EXPECT_EQ(figure("Mean help").remark, "robot held its position");
+  contents.session.measures.force_share = 0.43;
+  contents.session.measures.help_level = 0.62;
+  contents.session.measures.help_adapting_share = 0.8;
+  EXPECT_EQ(figure("Largest force").value, "43");
+  EXPECT_EQ(figure("Mean help").value, "62");
+  EXPECT_EQ(figure("Mean help").remark, "adapting 80 % of the time");
+}
+
 TEST(ReportWords, TheNameOfThePatientIsNowhere) {
   const SyntheticRecord record;
   for (const auto& fact : sessionFacts(contentsOf(record))) EXPECT_FALSE(fact.value.contains("Secret"));
@@ -89,6 +106,8 @@ TEST(ReportWords, TheNameOfThePatientIsNowhere) {
 
 TEST(ReportWords, UnknownIdsAreShownAsTheyAre) {
   EXPECT_EQ(eventWords("stop.target_lost"), "Stopped: the arm was out of sight");
+  EXPECT_EQ(eventWords("help.adapts"), "The help adapts to the patient");
+  EXPECT_EQ(eventWords("help.fixed.70"), "Help fixed at 70 %");
   EXPECT_EQ(eventWords("stop.meteorite"), "stop.meteorite");
   EXPECT_EQ(exerciseWords("dance"), "dance");
   EXPECT_EQ(clockTime(247.2), "4:07");
