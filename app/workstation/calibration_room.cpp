@@ -28,6 +28,7 @@ station::CalibrationSettings stationSettings(const WorkstationOrder& order) {
   settings.folder = calibrationsOf(order);
   settings.black_box_folder = storeOf(order).parent_path();
   settings.planner.seed = order.seed;
+  settings.supervisor.enabling_needed = order.enabling_key;
   return settings;
 }
 

@@ -51,6 +51,7 @@ enum class CalibrationAnswer : std::uint8_t {
   kNoBoard,        ///< capturing needs the board in view of both cameras
   kMoving,         ///< and still
   kNoRobot,        ///< driving needs a robot at rest that answers
+  kNotEnabled,     ///< driving needs the enabling device to be held
   kStopLatched,    ///< reset the stop first
   kNoCalibration,  ///< hand-eye, clock and drift need the calibrations before them
   kNotWritten,     ///< the folder of the calibrations refuses the record

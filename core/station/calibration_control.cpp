@@ -227,6 +227,7 @@ CalibrationAnswer CalibrationControl::setDriving(bool on) {
   if (state_.servo.stop != control::StopReason::kNone) return Answer::kStopLatched;
   if (servo_ == nullptr || state_.servo.measured.q_rad.size() == 0 || !state_.servo.at_rest)
     return Answer::kNoRobot;
+  if (!isEnabled()) return Answer::kNotEnabled;
   const bool needs_hand_eye = state_.job == CalibrationJob::kDrift;
   if (!rig_ || (needs_hand_eye && !known_.hand_eye_in_force)) return Answer::kNoCalibration;
   if (!X_BM_) return Answer::kNoBoard;
@@ -354,6 +355,11 @@ double CalibrationControl::progress() const {
       return jobs_.progress();
   }
   return 0.0;
+}
+
+bool CalibrationControl::isEnabled() const {
+  return !settings_.supervisor.enabling_needed ||
+         state_.servo.enabling == control::EnablingPosition::kEnabled;
 }
 
 // One that never answered carries nothing.

@@ -72,6 +72,7 @@ class CalibrationControl {
   [[nodiscard]] calibration::ImageSize imageSize() const;
   [[nodiscard]] std::size_t viewsWanted() const;
   [[nodiscard]] double progress() const;
+  [[nodiscard]] bool isEnabled() const;
   [[nodiscard]] bool robotRests() const;
   [[nodiscard]] bool hasAllFor(CalibrationJob job) const;
 

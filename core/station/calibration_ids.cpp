@@ -29,6 +29,8 @@ std::string_view id(CalibrationAnswer answer) {
       return "moving";
     case CalibrationAnswer::kNoRobot:
       return "no_robot";
+    case CalibrationAnswer::kNotEnabled:
+      return "not_enabled";
     case CalibrationAnswer::kStopLatched:
       return "stop_latched";
     case CalibrationAnswer::kNoCalibration:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/control/enabling_switch.h"
 #include "core/control/stop_reason.h"
 #include "core/station/calibration_command.h"
 #include "core/station/calibration_snapshot.h"
@@ -18,6 +19,9 @@ class CalibrationPort {
   virtual void stop(control::StopReason reason) noexcept = 0;
   /// Frees a latched stop; the robot stays at rest until it is to drive again. Any thread.
   virtual void resetStop() noexcept = 0;
+  /// Where the operator holds the enabling device: to be said again and again while he holds it, for silence
+  /// counts as released. Any thread.
+  virtual void setEnabling(control::EnablingPosition position) noexcept = 0;
 
   /// The newest of everything. One thread, the screen's.
   [[nodiscard]] virtual CalibrationSnapshot snapshot() = 0;

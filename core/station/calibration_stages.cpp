@@ -42,6 +42,10 @@ void CalibrationStages::resetStop() noexcept {
   if (servo) servo->resetStop();
 }
 
+void CalibrationStages::setEnabling(control::EnablingPosition position) noexcept {
+  if (servo) servo->setEnabling(position);
+}
+
 CalibrationSnapshot CalibrationStages::snapshot() {
   if (const auto* news = control.for_screen.take()) snapshot_ = *news;
   return snapshot_ ? *snapshot_ : CalibrationSnapshot{};

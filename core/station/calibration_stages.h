@@ -23,6 +23,7 @@ class CalibrationStages {
   /// Any thread.
   void stop(control::StopReason reason) noexcept;
   void resetStop() noexcept;
+  void setEnabling(control::EnablingPosition position) noexcept;
 
   /// The newest of everything; what has not changed since the last call is given again. Screen's thread only.
   [[nodiscard]] CalibrationSnapshot snapshot();

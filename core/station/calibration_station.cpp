@@ -91,6 +91,10 @@ void CalibrationStation::stop(control::StopReason reason) noexcept { body_->stag
 
 void CalibrationStation::resetStop() noexcept { body_->stages.resetStop(); }
 
+void CalibrationStation::setEnabling(control::EnablingPosition position) noexcept {
+  body_->stages.setEnabling(position);
+}
+
 CalibrationSnapshot CalibrationStation::snapshot() { return body_->stages.snapshot(); }
 
 }  // namespace mirrorarm::station

@@ -71,6 +71,10 @@ void LockstepCalibrationStation::stop(control::StopReason reason) noexcept { bod
 
 void LockstepCalibrationStation::resetStop() noexcept { body_->stages.resetStop(); }
 
+void LockstepCalibrationStation::setEnabling(control::EnablingPosition position) noexcept {
+  body_->stages.setEnabling(position);
+}
+
 CalibrationSnapshot LockstepCalibrationStation::snapshot() { return body_->stages.snapshot(); }
 
 }  // namespace mirrorarm::station

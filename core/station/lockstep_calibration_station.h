@@ -25,6 +25,7 @@ class LockstepCalibrationStation final : public CalibrationPort {
   [[nodiscard]] CalibrationAnswer request(const CalibrationCommand& command) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
+  void setEnabling(control::EnablingPosition position) noexcept override;
   [[nodiscard]] CalibrationSnapshot snapshot() override;
 
  private:

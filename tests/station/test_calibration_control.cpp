@@ -144,6 +144,42 @@ TEST(CalibrationControl, StopBringsTheRobotToRestAndLatches) {
   EXPECT_TRUE(bench.waitFor(isUnderWay, Seconds(3.0)));
 }
 
+/// The engineer keeps the device where it is until `done`, or for so long.
+bool hold(BenchCalibration& bench, control::EnablingPosition position, Seconds most,
+          const std::function<bool(const CalibrationSnapshot&)>& done) {
+  return bench.waitFor(
+      [&](const CalibrationSnapshot& seen) {
+        bench.station().setEnabling(position);
+        return done(seen);
+      },
+      most);
+}
+
+TEST(CalibrationControl, DrivingNeedsTheEnablingDeviceAllTheTime) {
+  using control::EnablingPosition;
+  const auto never = [](const CalibrationSnapshot&) { return false; };
+  BenchCalibration bench({.settings = {.supervisor = {.enabling_needed = true}}});
+  ASSERT_EQ(bench.begin(Job::kStereo), Answer::kAccepted);
+  EXPECT_EQ(bench.drive(), Answer::kNotEnabled);
+  hold(bench, EnablingPosition::kEnabled, Seconds(0.2), never);
+  ASSERT_EQ(bench.drive(), Answer::kAccepted);
+  ASSERT_TRUE(hold(bench, EnablingPosition::kEnabled, Seconds(3.0), isUnderWay));
+  hold(bench, EnablingPosition::kReleased, Seconds(1.0), never);
+  EXPECT_EQ(bench.seen().servo.stop, control::StopReason::kEnablingReleased);
+  EXPECT_TRUE(bench.seen().servo.at_rest);
+  EXPECT_FALSE(bench.seen().driving);
+
+  bench.station().resetStop();
+  hold(bench, EnablingPosition::kEnabled, Seconds(0.2), never);
+  ASSERT_EQ(bench.drive(), Answer::kAccepted);
+  const auto waits = [](const CalibrationSnapshot& seen) { return seen.driving && seen.servo.at_rest; };
+  ASSERT_TRUE(hold(bench, EnablingPosition::kEnabled, Seconds(3.0), isUnderWay));
+  ASSERT_TRUE(hold(bench, EnablingPosition::kEnabled, Seconds(60.0), waits));
+  hold(bench, EnablingPosition::kPressedThrough, Seconds(0.3), never);
+  EXPECT_EQ(bench.seen().servo.stop, control::StopReason::kEnablingPressedThrough) << "at rest at a view";
+  EXPECT_FALSE(bench.seen().driving);
+}
+
 TEST(CalibrationControl, DrivingThatIsSwitchedOffEndsAtRest) {
   BenchCalibration bench;
   ASSERT_EQ(bench.begin(Job::kStereo), Answer::kAccepted);

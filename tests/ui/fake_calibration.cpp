@@ -183,6 +183,10 @@ void FakeCalibration::resetStop() noexcept {
   shown.servo.reset = control::ResetRefusal::kNotStopped;
 }
 
+void FakeCalibration::setEnabling(control::EnablingPosition position) noexcept {
+  shown.servo.enabling = position;
+}
+
 void FakeCalibration::see(const RigidTransform& X_CM, calibration::CaptureVerdict verdict) {
   auto frame = std::make_shared<station::BoardFrame>();
   std::tie(frame->frame.left, frame->view.seen[0]) = look(rig_.left, shown.board, X_CM);

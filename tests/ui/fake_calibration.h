@@ -28,6 +28,7 @@ class FakeCalibration final : public station::CalibrationPort {
   [[nodiscard]] station::CalibrationAnswer request(const station::CalibrationCommand& command) override;
   void stop(control::StopReason reason) noexcept override;
   void resetStop() noexcept override;
+  void setEnabling(control::EnablingPosition position) noexcept override;
   [[nodiscard]] station::CalibrationSnapshot snapshot() override { return shown; }
 
   /// The plate before the cameras, drawn into both images.

@@ -113,6 +113,8 @@ CalibrationState CalibrationPresenter::stateOf(const CalibrationSnapshot& snapsh
   next.title = std::move(guide.title);
   next.instruction = std::move(guide.instruction);
   next.primary = guide.primary;
+  next.enabling_needed = snapshot.servo.enabling_needed;
+  next.enabling = snapshot.servo.enabling;
   next.can_reset = snapshot.servo.reset == control::ResetRefusal::kNone;
   next.message = message_.isEmpty() ? whyNoReset(snapshot.servo) : message_;
   for (std::size_t i = 0; i < next.allowed.size(); ++i)
@@ -194,6 +196,8 @@ void CalibrationPresenter::send(const station::CalibrationCommand& command) {
 void CalibrationPresenter::stop() { port_.stop(control::StopReason::kOperator); }
 
 void CalibrationPresenter::resetStop() { port_.resetStop(); }
+
+void CalibrationPresenter::setEnabling(control::EnablingPosition position) { port_.setEnabling(position); }
 
 void CalibrationPresenter::publish(CalibrationState next) {
   if (next == state_) return;

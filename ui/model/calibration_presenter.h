@@ -30,6 +30,8 @@ struct CalibrationState {
   bool can_choose = true;                                          ///< job, board and lens model
   bool stopped = false;                                            ///< a stop is latched
   bool can_reset = false;
+  bool enabling_needed = false;
+  control::EnablingPosition enabling = control::EnablingPosition::kReleased;
   QString title;  ///< of what to do now
   QString instruction;
   QString message;  ///< why the last wish was refused; empty when it was not
@@ -72,6 +74,8 @@ class CalibrationPresenter : public QObject {
   /// Past every rule: always goes to the station.
   void stop();
   void resetStop();
+  /// Where the enabling key is held; to be said again and again, see station::CalibrationPort.
+  void setEnabling(control::EnablingPosition position);
 
  signals:
   void stateChanged(const mirrorarm::ui::CalibrationState& state);

@@ -78,6 +78,8 @@ QString words(station::CalibrationAnswer answer) {
       return CalibrationWords::tr("The board moves. Hold it still and capture again");
     case CalibrationAnswer::kNoRobot:
       return CalibrationWords::tr("The robot does not answer or is not at rest. Look at its controller");
+    case CalibrationAnswer::kNotEnabled:
+      return CalibrationWords::tr("Hold the enabling key, then let the robot drive");
     case CalibrationAnswer::kStopLatched:
       return CalibrationWords::tr("Reset the stop first");
     case CalibrationAnswer::kNoCalibration:

@@ -5,6 +5,7 @@
 
 #include "ui/model/calibration_words.h"
 #include "ui/panels/action_button.h"
+#include "ui/panels/enabling_button.h"
 #include "ui/panels/text.h"
 #include "ui/wizards/lights_list.h"
 #include "ui/wizards/tables.h"
@@ -47,6 +48,7 @@ GuidePanel::GuidePanel(CalibrationPresenter& presenter, ViewList& views, QWidget
       lights_(new LightsList),
       reset_(
           new ActionButton(QStringLiteral("resetStopButton"), tr("Reset stop"), QKeySequence(Qt::Key_F12))),
+      enabling_(new EnablingButton),
       residuals_(makeResiduals(views)) {
   setObjectName(QStringLiteral("guidePanel"));
   auto* column = new QVBoxLayout(this);
@@ -63,9 +65,11 @@ GuidePanel::GuidePanel(CalibrationPresenter& presenter, ViewList& views, QWidget
   inside->addStretch();
   reset_->setPrimary(true);
   inside->addWidget(reset_);
+  inside->addWidget(enabling_);
   addToggles(*inside);
   addActions(*inside);
   connect(reset_, &QPushButton::clicked, &presenter_, &CalibrationPresenter::resetStop);
+  connect(enabling_, &EnablingButton::said, &presenter_, &CalibrationPresenter::setEnabling);
   connect(&presenter_, &CalibrationPresenter::stateChanged, this, &GuidePanel::draw);
   draw(presenter_.state());
 }
@@ -114,6 +118,8 @@ void GuidePanel::draw(const CalibrationState& state) {
   residuals_->setVisible(state.step == CalibrationStep::kResult);
   reset_->setVisible(state.stopped);
   reset_->setEnabled(state.can_reset);
+  enabling_->setVisible(state.enabling_needed && state.step == CalibrationStep::kCapture);
+  enabling_->show(state.enabling);
   drawActions(state);
   moveFocus(state);
 }

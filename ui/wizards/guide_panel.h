@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace mirrorarm::ui {
 
 class ActionButton;
+class EnablingButton;
 class LightsList;
 
 /// What to do now, how the view and the views stand, and what may be pressed.
@@ -39,6 +40,7 @@ class GuidePanel : public QWidget {
   LightsList* lights_;
   std::array<ActionButton*, kCalibrationActionCount> actions_{};  ///< null: has its place elsewhere
   ActionButton* reset_;
+  EnablingButton* enabling_;
   QWidget* residuals_;
   station::CalibrationPhase phase_ = station::CalibrationPhase::kIdle;
 };

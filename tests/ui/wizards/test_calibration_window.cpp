@@ -11,6 +11,8 @@
 
 #include "tests/ui/fake_bench.h"
 #include "tests/ui/fake_calibration.h"
+#include "ui/model/calibration_words.h"
+#include "ui/model/words.h"
 #include "ui/panels/stop_button.h"
 #include "ui/wizards/calibration_window.h"
 
@@ -204,6 +206,29 @@ TEST_F(Wizard, AStopWhileDrivingIsResetByKeyboardAndNothingMoves) {
   EXPECT_FALSE(port_.shown.driving);
 }
 
+TEST_F(Wizard, TheEnablingKeyIsHeldWhileTheRobotDrivesAndLettingItGoIsSaid) {
+  using control::EnablingPosition;
+  press(Qt::Key_F2);
+  EXPECT_FALSE(find("enablingButton")->isVisible()) << "not needed";
+  port_.shown.servo.enabling_needed = true;
+  port_.later = station::CalibrationAnswer::kNotEnabled;
+  press(Qt::Key_F5);
+  EXPECT_EQ(text("calibrationMessage"), words(station::CalibrationAnswer::kNotEnabled));
+  ASSERT_TRUE(find("enablingButton")->isVisible());
+  port_.later = station::CalibrationAnswer::kAccepted;
+  QTest::keyPress(&window_, Qt::Key_F11);
+  EXPECT_EQ(port_.shown.servo.enabling, EnablingPosition::kEnabled);
+  press(Qt::Key_F5);
+  EXPECT_TRUE(port_.shown.driving);
+  keep(QStringLiteral("6-enabled"));
+  QTest::keyRelease(&window_, Qt::Key_F11);
+  EXPECT_EQ(port_.shown.servo.enabling, EnablingPosition::kReleased);
+  port_.stop(control::StopReason::kEnablingReleased);  // as the station does
+  beat();
+  EXPECT_TRUE(text("guideInstruction").contains(words(control::StopReason::kEnablingReleased)));
+  keep(QStringLiteral("7-let-go"));
+}
+
 TEST_F(Wizard, ARefusalIsShownWithTheWayBack) {
   press(Qt::Key_F2);
   takeViews(4);
@@ -242,6 +267,7 @@ TEST_F(Wizard, EverythingThatCanBeOperatedHasANameAndAKey) {
     EXPECT_FALSE(names.contains(button->objectName())) << button->objectName().toStdString();
     names.insert(button->objectName());
     if (button->objectName() == QStringLiteral("stopButton")) continue;  // Esc, by its own filter
+    if (!button->property("heldKey").toString().isEmpty()) continue;     // held, which no shortcut can be
     const QString key = button->shortcut().toString();
     EXPECT_FALSE(key.isEmpty()) << button->objectName().toStdString();
     EXPECT_FALSE(keys.contains(key)) << key.toStdString();
@@ -274,6 +300,7 @@ TEST_F(Wizard, NothingIsCutOffOnASmallScreen) {
             << button->text().toStdString();
       }
   };
+  port_.shown.servo.enabling_needed = true;
   check("choose");
   press(Qt::Key_F2);
   takeViews(9);
