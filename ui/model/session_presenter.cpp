@@ -17,29 +17,32 @@ struct Guide {
 };
 
 Guide guideOf(Phase phase) {
-  const auto tr = [](const char* text) { return SessionPresenter::tr(text); };
   switch (phase) {
     case Phase::kPrepare:
-      return {Action::kTeach, tr("Prepare the patient"),
-              tr("Fasten the impaired arm in the sling and turn the markers of the healthy forearm to the "
-                 "cameras.")};
+      return {Action::kTeach, SessionPresenter::tr("Prepare the patient"),
+              SessionPresenter::tr(
+                  "Fasten the impaired arm in the sling and turn the markers of the healthy forearm to the "
+                  "cameras.")};
     case Phase::kTeaching:
-      return {Action::kFinishTeaching, tr("Teach the markers"),
-              tr("Let the patient turn the healthy forearm slowly until every marker has been seen.")};
+      return {Action::kFinishTeaching, SessionPresenter::tr("Teach the markers"),
+              SessionPresenter::tr(
+                  "Let the patient turn the healthy forearm slowly until every marker has been seen.")};
     case Phase::kTaught:
-      return {Action::kAlign, tr("Align both arms"),
-              tr("Bring both arms into the start position and hold them still. Movements count from here.")};
+      return {Action::kAlign, SessionPresenter::tr("Align both arms"),
+              SessionPresenter::tr(
+                  "Bring both arms into the start position and hold them still. Movements count from here.")};
     case Phase::kAligned:
-      return {Action::kStart, tr("Ready to train"),
-              tr("The robot moves as soon as you start. Keep a hand near STOP.")};
+      return {Action::kStart, SessionPresenter::tr("Ready to train"),
+              SessionPresenter::tr("The robot moves as soon as you start. Keep a hand near STOP.")};
     case Phase::kTraining:
-      return {Action::kPause, tr("Training"),
-              tr("The robot carries the impaired arm along with the healthy one.")};
+      return {Action::kPause, SessionPresenter::tr("Training"),
+              SessionPresenter::tr("The robot carries the impaired arm along with the healthy one.")};
     case Phase::kPaused:
-      return {Action::kStart, tr("Paused"), tr("The robot rests. Go on, or finish the session.")};
+      return {Action::kStart, SessionPresenter::tr("Paused"),
+              SessionPresenter::tr("The robot rests. Go on, or finish the session.")};
     case Phase::kFinished:
-      return {std::nullopt, tr("Session finished"),
-              tr("Everything is recorded. Make the report, or begin anew.")};
+      return {std::nullopt, SessionPresenter::tr("Session finished"),
+              SessionPresenter::tr("Everything is recorded. Make the report, or begin anew.")};
   }
   return {};
 }
