@@ -3,11 +3,13 @@
 #include <QFontMetrics>
 #include <QImage>
 #include <QLabel>
+#include <QLocale>
 #include <QSet>
 #include <QtTest>
 #include <gtest/gtest.h>
 
 #include "tests/ui/fake_bench.h"
+#include "tests/ui/german.h"
 #include "ui/panels/main_window.h"
 #include "ui/panels/quality_panel.h"
 #include "ui/panels/stop_button.h"
@@ -37,6 +39,20 @@ class Window : public ::testing::Test {
   template <class W = QAbstractButton>
   W* find(const char* name) {
     return window_.findChild<W*>(QLatin1String(name));
+  }
+  void expectNothingCutOff() {
+    for (const auto phase : kPhases) {
+      station_.shown.control.servo.assist.gives_way = phase == Phase::kTraining;
+      enter(phase);
+      EXPECT_EQ(window_.size(), QSize(1366, 768)) << "the content needs more than the screen has";
+      for (const auto* label : window_.findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty()) continue;
+        EXPECT_GE(label->height(), label->fontMetrics().height()) << label->text().toStdString();
+        if (label->wordWrap()) continue;
+        EXPECT_LE(label->sizeHint().width(), label->width() + 1) << label->text().toStdString();
+      }
+      keep(QStringLiteral("phase-%1-%2.png").arg(static_cast<int>(phase)).arg(QLocale().name()));
+    }
   }
   QImage picture() { return window_.grab().toImage(); }
   /// MIRRORARM_PICTURES names a folder where a person can look at what the tests saw.
@@ -207,18 +223,20 @@ TEST_F(Window, EverythingThatCanBeOperatedHasANameAndAKey) {
   }
 }
 
-TEST_F(Window, NothingIsCutOffOnASmallScreen) {
+TEST_F(Window, NothingIsCutOffOnASmallScreen) { expectNothingCutOff(); }
+
+class GermanWindow : public test::InGerman, public Window {};
+
+TEST_F(GermanWindow, IsGermanThroughoutAndNothingIsCutOff) {
+  expectNothingCutOff();
   for (const auto phase : kPhases) {
-    station_.shown.control.servo.assist.gives_way = phase == Phase::kTraining;
     enter(phase);
-    EXPECT_EQ(window_.size(), QSize(1366, 768)) << "the content needs more than the screen has";
-    for (const auto* label : window_.findChildren<QLabel*>()) {
-      if (!label->isVisible() || label->text().isEmpty()) continue;
-      EXPECT_GE(label->height(), label->fontMetrics().height()) << label->text().toStdString();
-      if (label->wordWrap()) continue;
-      EXPECT_LE(label->sizeHint().width(), label->width() + 1) << label->text().toStdString();
-    }
+    EXPECT_TRUE(test::englishIn(window_).isEmpty()) << test::englishIn(window_).join(" | ").toStdString();
   }
+  station_.stop(control::StopReason::kForce);
+  beat();
+  EXPECT_TRUE(test::englishIn(window_).isEmpty()) << test::englishIn(window_).join(" | ").toStdString();
+  keep(QStringLiteral("german-stopped.png"));
 }
 
 TEST_F(Window, TheSceneIsDrawn) {

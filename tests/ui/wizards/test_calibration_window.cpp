@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QSet>
 #include <QSpinBox>
@@ -11,6 +12,7 @@
 
 #include "tests/ui/fake_bench.h"
 #include "tests/ui/fake_calibration.h"
+#include "tests/ui/german.h"
 #include "ui/model/calibration_words.h"
 #include "ui/model/words.h"
 #include "ui/panels/stop_button.h"
@@ -77,6 +79,48 @@ class Wizard : public ::testing::Test {
       window_.grab().save(QDir(folder).filePath(QStringLiteral("calibrate-") + name + theme));
     }
     window_.setDark(false);
+  }
+
+  void check(const char* where) {
+    EXPECT_EQ(window_.size(), QSize(1366, 768)) << where << ": the content needs more than the screen has";
+    for (const auto* label : window_.findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->text().isEmpty()) continue;
+      const int needed =
+          label->wordWrap() ? label->heightForWidth(label->width()) : label->fontMetrics().height();
+      EXPECT_GE(label->height(), needed) << where << ": " << label->text().toStdString();
+      if (label->wordWrap()) continue;
+      EXPECT_LE(label->sizeHint().width(), label->width() + 1)
+          << where << ": " << label->text().toStdString();
+    }
+    for (const auto* button : window_.findChildren<QAbstractButton*>())
+      if (button->isVisible() && button->objectName().endsWith(QStringLiteral("Button"))) {
+        EXPECT_GE(button->height(), button->minimumSizeHint().height())
+            << where << ": " << button->text().toStdString();
+        EXPECT_LE(button->mapTo(&window_, QPoint(0, button->height())).y(), 768)
+            << button->text().toStdString();
+      }
+  }
+  void expectNothingCutOff() {
+    port_.shown.servo.enabling_needed = true;
+    check("choose");
+    keep(QStringLiteral("choose-") + QLocale().name());
+    press(Qt::Key_F2);
+    takeViews(9);
+    port_.shown.proposal = calibration::ViewWish{test::plateAt(0.3, {0.5, -0.4, 0}), 1.2};
+    port_.see(test::plateAt(0.5), CaptureVerdict::kNotNew);
+    QTest::qWait(600);
+    beat();
+    check("capture");
+    keep(QStringLiteral("capture-") + QLocale().name());
+    press(Qt::Key_Escape);
+    check("stopped");
+    port_.resetStop();
+    takeViews(11);
+    press(Qt::Key_F6);
+    check("result");
+    keep(QStringLiteral("result-") + QLocale().name());
+    press(Qt::Key_F7);
+    check("in force");
   }
 
   const camera::StereoRig rig_ = test::benchWorkplace().rig;
@@ -280,43 +324,13 @@ TEST_F(Wizard, EverythingThatCanBeOperatedHasANameAndAKey) {
   }
 }
 
-TEST_F(Wizard, NothingIsCutOffOnASmallScreen) {
-  const auto check = [this](const char* where) {
-    EXPECT_EQ(window_.size(), QSize(1366, 768)) << where << ": the content needs more than the screen has";
-    for (const auto* label : window_.findChildren<QLabel*>()) {
-      if (!label->isVisible() || label->text().isEmpty()) continue;
-      const int needed =
-          label->wordWrap() ? label->heightForWidth(label->width()) : label->fontMetrics().height();
-      EXPECT_GE(label->height(), needed) << where << ": " << label->text().toStdString();
-      if (label->wordWrap()) continue;
-      EXPECT_LE(label->sizeHint().width(), label->width() + 1)
-          << where << ": " << label->text().toStdString();
-    }
-    for (const auto* button : window_.findChildren<QAbstractButton*>())
-      if (button->isVisible() && button->objectName().endsWith(QStringLiteral("Button"))) {
-        EXPECT_GE(button->height(), button->minimumSizeHint().height())
-            << where << ": " << button->text().toStdString();
-        EXPECT_LE(button->mapTo(&window_, QPoint(0, button->height())).y(), 768)
-            << button->text().toStdString();
-      }
-  };
-  port_.shown.servo.enabling_needed = true;
-  check("choose");
-  press(Qt::Key_F2);
-  takeViews(9);
-  port_.shown.proposal = calibration::ViewWish{test::plateAt(0.3, {0.5, -0.4, 0}), 1.2};
-  port_.see(test::plateAt(0.5), CaptureVerdict::kNotNew);
-  QTest::qWait(600);
-  beat();
-  check("capture");
-  press(Qt::Key_Escape);
-  check("stopped");
-  port_.resetStop();
-  takeViews(11);
-  press(Qt::Key_F6);
-  check("result");
-  press(Qt::Key_F7);
-  check("in force");
+TEST_F(Wizard, NothingIsCutOffOnASmallScreen) { expectNothingCutOff(); }
+
+class GermanWizard : public test::InGerman, public Wizard {};
+
+TEST_F(GermanWizard, IsGermanThroughoutAndNothingIsCutOff) {
+  expectNothingCutOff();
+  EXPECT_TRUE(test::englishIn(window_).isEmpty()) << test::englishIn(window_).join(" | ").toStdString();
 }
 
 TEST_F(Wizard, HandEyeAndDriftShowTheirFigures) {
