@@ -548,11 +548,11 @@
     </message>
     <message>
         <source>Seen by the left camera</source>
-        <translation>Von der linken Kamera gesehen</translation>
+        <translation>Linke Kamera sieht sie</translation>
     </message>
     <message>
         <source>Seen by the right camera</source>
-        <translation>Von der rechten Kamera gesehen</translation>
+        <translation>Rechte Kamera sieht sie</translation>
     </message>
 </context>
 <context>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>Views by tilt and distance in cm</source>
-        <translation>Ansichten nach Neigung und Abstand in cm</translation>
+        <translation>Ansichten: Neigung, Abstand in cm</translation>
     </message>
     <message>
         <source>&amp;Views taken</source>
@@ -794,7 +794,7 @@
     <name>HelpChoice</name>
     <message>
         <source>Help adapts</source>
-        <translation>Hilfe passt sich an</translation>
+        <translation>Hilfe adaptiv</translation>
     </message>
     <message>
         <source>Level of help that is wanted</source>
@@ -814,6 +814,10 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>the robot is stiff</source>
+        <translation>der Roboter ist steif</translation>
     </message>
 </context>
 <context>
@@ -1758,7 +1762,7 @@
     </message>
     <message>
         <source>%1 min  ·  Repetitions: %2</source>
-        <translation>%1 min  ·  Wiederholungen: %2</translation>
+        <translation>%1 min  ·  Wdh.: %2</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -2055,24 +2059,8 @@ Gestrichelt: teilweise verdeckt. Gepunktet mit ?: mehrere Partner möglich</tran
 <context>
     <name>Summary</name>
     <message>
-        <source>Largest force</source>
-        <translation>Größte Kraft</translation>
-    </message>
-    <message>
-        <source>%1 of limit</source>
-        <translation>%1 der Grenze</translation>
-    </message>
-    <message>
         <source>Mean help</source>
         <translation>Mittlere Hilfe</translation>
-    </message>
-    <message>
-        <source>Help adapted</source>
-        <translation>Hilfe angepasst</translation>
-    </message>
-    <message>
-        <source>%1 of time</source>
-        <translation>%1 der Zeit</translation>
     </message>
     <message>
         <source>Range of the healthy arm</source>
@@ -2091,8 +2079,12 @@ Gestrichelt: teilweise verdeckt. Gepunktet mit ?: mehrere Partner möglich</tran
         <translation>Fehler mit Verzug</translation>
     </message>
     <message>
-        <source>Frames tracked</source>
-        <translation>Verfolgte Bilder</translation>
+        <source>Largest force, of its limit</source>
+        <translation>Größte Kraft, von der Grenze</translation>
+    </message>
+    <message>
+        <source>Time of adapting help</source>
+        <translation>Zeit mit Anpassung</translation>
     </message>
 </context>
 <context>

@@ -27,7 +27,7 @@ HelpState HelpPresenter::stateOf() const {
   next.can_lessen = fixed && wanted_.level > 0.0;
   next.can_raise = fixed && wanted_.level < 1.0;
   next.level = fixed ? tr("%1 %").arg(100.0 * wanted_.level, 0, 'f', 0) : QStringLiteral("–");
-  if (!given_.gives_way) next.reason = words(station::Answer::kHoldsStiffly);
+  if (!given_.gives_way) next.reason = tr("the robot is stiff");
   return next;
 }
 

@@ -14,7 +14,7 @@ struct HelpState {
   bool can_raise = false;
   bool adapts = false;
   QString level;   ///< that is wanted; a dash while it adapts
-  QString reason;  ///< why nothing can be chosen; empty where it can
+  QString reason;  ///< why nothing can be chosen, in a word; empty where it can
   bool operator==(const HelpState&) const = default;
 };
 

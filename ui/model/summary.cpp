@@ -1,5 +1,7 @@
 #include "ui/model/summary.h"
 
+#include <optional>
+
 #include <QCoreApplication>
 
 namespace mirrorarm::ui {
@@ -13,19 +15,7 @@ QString number(double value, int decimals, const QString& unit) {
   return QStringLiteral("%1 %2").arg(value, 0, 'f', decimals).arg(unit);
 }
 
-QString percent(double share, int decimals = 0) {
-  return number(100.0 * share, decimals, QStringLiteral("%"));
-}
-
-void addForceAndHelp(const therapy::SessionMeasures& measures, QVector<SummaryLine>& lines) {
-  if (measures.force_share)
-    lines.push_back(
-        {Summary::tr("Largest force"), Summary::tr("%1 of limit").arg(percent(*measures.force_share))});
-  if (measures.help_level) lines.push_back({Summary::tr("Mean help"), percent(*measures.help_level)});
-  if (measures.help_adapting_share)
-    lines.push_back(
-        {Summary::tr("Help adapted"), Summary::tr("%1 of time").arg(percent(*measures.help_adapting_share))});
-}
+QString percent(double share) { return number(100.0 * share, 0, QStringLiteral("%")); }
 
 }  // namespace
 
@@ -35,9 +25,13 @@ QVector<SummaryLine> summaryOf(const therapy::SessionMeasures& measures) {
       {Summary::tr("Range of the healthy arm"), number(measures.range_mm, 0, mm)},
       {Summary::tr("Delay of the robot"), number(measures.lag_ms, 0, QStringLiteral("ms"))},
       {Summary::tr("Error without delay"), number(measures.shape_error_mm, 1, mm)},
-      {Summary::tr("Error with delay"), number(measures.felt_error_mm, 1, mm)},
-      {Summary::tr("Frames tracked"), percent(measures.tracked_share, 1)}};
-  addForceAndHelp(measures, lines);
+      {Summary::tr("Error with delay"), number(measures.felt_error_mm, 1, mm)}};
+  const auto add = [&lines](const QString& name, const std::optional<double>& share) {
+    if (share) lines.push_back({name, percent(*share)});
+  };
+  add(Summary::tr("Largest force, of its limit"), measures.force_share);
+  add(Summary::tr("Mean help"), measures.help_level);
+  add(Summary::tr("Time of adapting help"), measures.help_adapting_share);
   return lines;
 }
 

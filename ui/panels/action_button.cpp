@@ -45,7 +45,8 @@ void ActionButton::setPrimary(bool primary) {
 
 QSize ActionButton::sizeHint() const {
   const int key_px = fontMetrics().horizontalAdvance(key_text_) + kKeyMargin_px;
-  const int sides = property("quiet").toBool() ? 1 : 2;  // a centred text must not reach the key
+  const bool left = property("quiet").toBool() || property("choice").toBool();
+  const int sides = left ? 1 : 2;  // a centred text must not reach the key
   return QPushButton::sizeHint() + QSize(sides * key_px, 0);
 }
 

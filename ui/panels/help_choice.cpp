@@ -2,7 +2,9 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QVariant>
 
+#include "ui/model/words.h"
 #include "ui/panels/action_button.h"
 #include "ui/panels/text.h"
 
@@ -10,7 +12,7 @@ namespace mirrorarm::ui {
 namespace {
 
 constexpr int kStep_px = 32;
-constexpr int kLevel_px = 48;  // "100 %"
+constexpr int kLevel_px = 54;  // "100 %"
 
 }  // namespace
 
@@ -30,7 +32,6 @@ HelpChoice::HelpChoice(HelpPresenter& presenter, QWidget* parent)
   level_->setAlignment(Qt::AlignCenter);
   level_->setFixedWidth(kLevel_px);
   reason_->setObjectName(QStringLiteral("helpReason"));
-  reason_->setWordWrap(true);
   auto* steps = new QHBoxLayout(steps_);
   steps->setContentsMargins(0, 0, 0, 0);
   less_ = addStep(*steps, QStringLiteral("lessHelpButton"), QStringLiteral("−"), tr("Less help"),
@@ -41,7 +42,7 @@ HelpChoice::HelpChoice(HelpPresenter& presenter, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(adapts_);
-  row->addWidget(reason_, 1);
+  row->addWidget(reason_);
   row->addStretch();
   row->addWidget(steps_);
   connect(adapts_, &QPushButton::clicked, this, [this, &presenter] {
@@ -79,6 +80,7 @@ void HelpChoice::draw(const HelpState& state) {
   steps_->setVisible(state.can_change);
   reason_->setVisible(!state.can_change);
   reason_->setText(state.reason);
+  setToolTip(state.can_change ? QString() : words(station::Answer::kHoldsStiffly));
 }
 
 }  // namespace mirrorarm::ui

@@ -7,8 +7,8 @@
 namespace mirrorarm::ui {
 namespace {
 
-constexpr int kCaption_px = 16;
-constexpr int kRow_px = 14;
+constexpr int kCaption_px = 14;
+constexpr int kRow_px = 13;
 constexpr double kName_px = 30, kAngle_px = 62, kSpeed_px = 76, kGap_px = 14;
 constexpr double kTrack_px = 6;
 

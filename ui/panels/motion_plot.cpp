@@ -41,7 +41,7 @@ MotionPlot::MotionPlot(double window_s, QWidget* parent)
   healthy_ = graph(*displacement_);
   impaired_ = graph(*displacement_);
   to_goal_ = graph(*distance_);
-  setMinimumHeight(92);
+  setMinimumHeight(78);
 }
 
 void MotionPlot::setUpAxes(QCPAxisRect& rect, double window_s) {

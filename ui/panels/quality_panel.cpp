@@ -12,6 +12,7 @@ namespace mirrorarm::ui {
 namespace {
 
 constexpr double kPlotWindow_s = 15.0;
+constexpr int kSpacing_px = 4;
 
 QString stroke(const Theme& theme, const char* colour, const QString& line) {
   return QStringLiteral("<span style=\"color:%1; font-weight:bold\">%2</span>&nbsp;")
@@ -49,6 +50,7 @@ QualityPanel::QualityPanel(QWidget* parent)
   auto* card = makeCard(QStringLiteral("qualityCard"));
   column->addWidget(card);
   auto* inside = static_cast<QVBoxLayout*>(card->layout());
+  inside->setSpacing(kSpacing_px);
   inside->addWidget(makeText("heading", tr("Tracking of the healthy arm")));
   inside->addWidget(makeStatusRow());
   inside->addWidget(makeFigures());
@@ -76,7 +78,7 @@ QWidget* QualityPanel::makeFigures() {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 2, 0, 2);
   grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
+  grid->setVerticalSpacing(2);
   grid->addWidget(markers_, 0, 0);
   grid->addWidget(misfit_, 0, 1);
   grid->addWidget(age_, 0, 2);

@@ -22,8 +22,8 @@ ReportBox::ReportBox(ReportJob& job, QWidget* parent)
       result_(makeText("notice")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  summary_->setVerticalSpacing(3);
+  column->setSpacing(6);
+  summary_->setVerticalSpacing(1);
   column->addLayout(summary_);
   for (QWidget* widget : std::initializer_list<QWidget*>{make_, result_, open_}) column->addWidget(widget);
   make_->setPrimary(true);

@@ -11,6 +11,7 @@
 namespace mirrorarm::ui {
 namespace {
 
+constexpr int kSpacing_px = 4;
 constexpr int kMotion_px = 130;  // for the longest of its words
 
 }  // namespace
@@ -30,6 +31,7 @@ RobotPanel::RobotPanel(HelpPresenter& help, QWidget* parent)
   auto* card = makeCard(QStringLiteral("robotCard"));
   column->addWidget(card);
   auto* inside = static_cast<QVBoxLayout*>(card->layout());
+  inside->setSpacing(kSpacing_px);
   auto* top = new QHBoxLayout;
   top->addWidget(makeText("heading", tr("Robot")));
   top->addStretch();
@@ -39,7 +41,7 @@ RobotPanel::RobotPanel(HelpPresenter& help, QWidget* parent)
   inside->addLayout(top);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
+  grid->setVerticalSpacing(2);
   grid->addWidget(tool_speed_, 0, 0);
   grid->addWidget(lag_, 0, 1);
   grid->addWidget(way_, 1, 0);

@@ -60,7 +60,7 @@ SessionPanel::SessionPanel(SessionPresenter& presenter, ReportJob& report, QWidg
   auto* card = makeCard(QStringLiteral("sessionCard"));
   column->addWidget(card);
   auto* inside = static_cast<QVBoxLayout*>(card->layout());
-  inside->setSpacing(10);
+  inside->setSpacing(8);
   for (QWidget* widget : std::initializer_list<QWidget*>{title_, instruction_, checks_, progress_})
     inside->addWidget(widget);
   addMapping(*inside);

@@ -1,6 +1,7 @@
 #include <QAbstractButton>
 #include <QDir>
 #include <QFontMetrics>
+#include <QFrame>
 #include <QImage>
 #include <QLabel>
 #include <QLocale>
@@ -40,7 +41,16 @@ class Window : public ::testing::Test {
   W* find(const char* name) {
     return window_.findChild<W*>(QLatin1String(name));
   }
+  void expectCardsHold() {
+    for (const auto* card : window_.findChildren<QFrame*>())
+      if (card->isVisible() && card->property("card").toBool()) {
+        EXPECT_GE(card->height(), card->minimumSizeHint().height()) << card->objectName().toStdString();
+      }
+  }
   void expectNothingCutOff() {
+    auto& measures = station_.shown.record.measures;
+    measures.force_share = measures.help_adapting_share = 1.0;
+    measures.help_level = 0.5;
     for (const auto phase : kPhases) {
       station_.shown.control.servo.assist.gives_way = phase == Phase::kTraining;
       enter(phase);
@@ -51,6 +61,7 @@ class Window : public ::testing::Test {
         if (label->wordWrap()) continue;
         EXPECT_LE(label->sizeHint().width(), label->width() + 1) << label->text().toStdString();
       }
+      expectCardsHold();
       keep(QStringLiteral("phase-%1-%2.png").arg(static_cast<int>(phase)).arg(QLocale().name()));
     }
   }
@@ -166,12 +177,17 @@ TEST_F(Window, HelpIsChosenByMouseAndKeysAndNotWhereTheRobotIsStiff) {
   EXPECT_EQ(control.help, (control::Help{false, 0.9}));
   beat();
   window_.activateWindow();
-  QTest::keyClick(&window_, Qt::Key_Down, Qt::ControlModifier);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_)) << "keys would not reach it";
+  const auto press = [this](Qt::Key key) {
+    QTest::keyClick(&window_, key, Qt::ControlModifier);
+    QTest::qWait(150);  // the button is seen to go down before it acts
+  };
+  press(Qt::Key_Down);
   EXPECT_EQ(control.help, (control::Help{false, 0.8}));
   beat();
   EXPECT_EQ(find<QLabel>("helpLevel")->text(), QStringLiteral("80 %"));
   keep(QStringLiteral("help-fixed.png"));
-  QTest::keyClick(&window_, Qt::Key_H, Qt::ControlModifier);
+  press(Qt::Key_H);
   EXPECT_TRUE(control.help.adapts);
   beat();
   EXPECT_TRUE(find("helpAdaptsButton")->isChecked());
@@ -235,6 +251,7 @@ TEST_F(GermanWindow, IsGermanThroughoutAndNothingIsCutOff) {
   }
   station_.stop(control::StopReason::kForce);
   beat();
+  QCoreApplication::processEvents();
   EXPECT_TRUE(test::englishIn(window_).isEmpty()) << test::englishIn(window_).join(" | ").toStdString();
   keep(QStringLiteral("german-stopped.png"));
 }
@@ -310,6 +327,7 @@ TEST_F(Window, WarningsOfBothCamerasFitASmallScreen) {
   const auto* plot = find<QWidget>("motionPlot");
   EXPECT_GE(plot->height(), plot->minimumHeight());
   EXPECT_LE(plot->mapTo(panel, QPoint(0, plot->height())).y(), panel->height()) << "cut off below";
+  expectCardsHold();
   keep(QStringLiteral("warnings.png"));
 }
 

@@ -32,7 +32,7 @@ constexpr int kButtonDown_ms = 150;
 StandingLines someStanding() {
   return {StandingLine{Light::kBad, QStringLiteral("expired, 120 days old")},
           StandingLine{Light::kGood, QStringLiteral("in force, 3 days old")},
-          StandingLine{Light::kOff, QStringLiteral("none in force")},
+          StandingLine{Light::kOff, QStringLiteral("none so far")},
           StandingLine{Light::kWaiting, QStringLiteral("doubtful, 2 h old")}};
 }
 
