@@ -23,7 +23,6 @@ Expected<std::unique_ptr<IgtlRobotLink>, std::string> IgtlRobotLink::connect(con
 
 void IgtlRobotLink::awaitCycle(Seconds longest) noexcept {
   fresh_ = false;
-  if (!socket_.isOpen()) return std::this_thread::sleep_for(longest);  // nothing sets the pace any more
   const TimePoint end = Clock::now() + toClock(longest);
   while (!fresh_ && socket_.isOpen()) {
     const Seconds left = end - Clock::now();
