@@ -1,7 +1,6 @@
 #include "benchmarks/statistics.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mirrorarm::benchmarks {
 namespace {
@@ -13,14 +12,6 @@ double poissonAtMost(int events, double mean) {
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto last = static_cast<double>(values.size() - 1);
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 Interval chiSquareMeanBand(int freedom, int count) {
   const double degrees = static_cast<double>(freedom) * count;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <vector>
+
+#include "core/common/quantile.h"
 
 namespace mirrorarm::benchmarks {
 
@@ -22,9 +22,6 @@ class RootMeanSquare {
   double sum_ = 0.0;
   int count_ = 0;
 };
-
-/// The value below which a share 0..1 of `values` lies; not a number when there are none.
-[[nodiscard]] double quantile(std::vector<double> values, double share);
 
 struct Interval {
   double low = 0.0;

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "core/common/quantile.h"
+
 namespace mirrorarm::cli {
-namespace {
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 void ExposureSummary::add(const vision::Exposure& exposure) {
   backgrounds_.push_back(exposure.background);
@@ -27,8 +19,8 @@ void ExposureSummary::add(const vision::Exposure& exposure) {
 nlohmann::ordered_json ExposureSummary::json() const {
   nlohmann::ordered_json object{{"camera", camera_},
                                 {"images", backgrounds_.size()},
-                                {"background", medianOf(backgrounds_)},
-                                {"noise", medianOf(noises_)},
+                                {"background", quantile(backgrounds_, 0.5)},
+                                {"noise", quantile(noises_, 0.5)},
                                 {"brightest", brightest_},
                                 {"saturated_markers", saturated_markers_},
                                 {"warning", nullptr},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/common/quantile.h"
 #include "core/geometry/rigid_fit.h"
 
 namespace mirrorarm::cli {
@@ -52,10 +53,7 @@ double PoseAudit::rms_mm() const {
 
 double PoseAudit::p95_mm() const {
   if (errors_mm_.empty()) return 0.0;
-  auto sorted = errors_mm_;
-  const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
+  return quantile(errors_mm_, 0.95);
 }
 
 }  // namespace mirrorarm::cli

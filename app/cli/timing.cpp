@@ -1,14 +1,12 @@
 #include "app/cli/timing.h"
 
-#include <algorithm>
+#include "core/common/quantile.h"
 
 namespace mirrorarm::cli {
 
-nlohmann::ordered_json medianAndP99(std::vector<double> durations_ms) {
+nlohmann::ordered_json medianAndP99(const std::vector<double>& durations_ms) {
   if (durations_ms.empty()) return {{"median", nullptr}, {"p99", nullptr}};
-  std::sort(durations_ms.begin(), durations_ms.end());
-  const std::size_t last = durations_ms.size() - 1;
-  return {{"median", durations_ms[last / 2]}, {"p99", durations_ms[last * 99 / 100]}};
+  return {{"median", quantile(durations_ms, 0.5)}, {"p99", quantile(durations_ms, 0.99)}};
 }
 
 }  // namespace mirrorarm::cli

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/common/quantile.h"
 #include "core/experiments/paper_scheme.h"
 
 namespace mirrorarm::experiments {
@@ -14,12 +15,6 @@ namespace {
 constexpr double kHalfWay_m = 0.050;
 constexpr double kAfter_s = 1.0;  // recorded after the last move
 constexpr double kSwing_hz = 0.3, kSwing_m = 0.050, kSwingIn_s = 4.0;
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size() - 1)))];
-}
 
 LatencyStatistics statisticsOf(const std::vector<MoveLatency>& moves, double MoveLatency::*which) {
   std::vector<double> values;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/common/quantile.h"
+
 namespace mirrorarm::experiments {
 namespace {
 
@@ -11,12 +13,11 @@ constexpr std::size_t kWarmUp = 24;
 constexpr int kFrames = 120;  // 300 MB of images: no cache holds them
 constexpr int kRounds = 4;
 
-DurationStatistics statisticsOf(std::vector<double> durations_ms) {
-  std::sort(durations_ms.begin(), durations_ms.end());
+DurationStatistics statisticsOf(const std::vector<double>& durations_ms) {
   const auto count = static_cast<double>(durations_ms.size());
   DurationStatistics result;
-  result.median_ms = durations_ms[durations_ms.size() / 2];
-  result.p99_ms = durations_ms[(durations_ms.size() - 1) * 99 / 100];
+  result.median_ms = quantile(durations_ms, 0.5);
+  result.p99_ms = quantile(durations_ms, 0.99);
   result.mean_ms = std::accumulate(durations_ms.begin(), durations_ms.end(), 0.0) / count;
   double squares = 0.0;
   for (const double each : durations_ms) squares += (each - result.mean_ms) * (each - result.mean_ms);

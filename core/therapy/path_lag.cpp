@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/quantile.h"
+
 namespace mirrorarm::therapy {
 namespace {
 
@@ -20,10 +22,7 @@ double medianInterval(std::span<const PathPair> pieces) {
   for (const auto& piece : pieces)
     for (std::size_t i = 1; i < piece.time_s.size(); ++i)
       intervals.push_back(piece.time_s[i] - piece.time_s[i - 1]);
-  if (intervals.empty()) return 0.0;
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
+  return intervals.empty() ? 0.0 : quantile(std::move(intervals), 0.5);
 }
 
 EvenPaths resampled(const PathPair& piece, double step_s) {
