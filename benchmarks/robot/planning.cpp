@@ -88,15 +88,15 @@ class Problems {
   std::mt19937 random_{static_cast<std::mt19937::result_type>(kSeed)};
 };
 
-/// The motion through the way points is clear, looked at every 0.01 rad.
-bool splineIsClear(const Planner& planner, const Joints& from, const PlannedPath& path,
+/// The motion through the way points keeps the guard's distances, looked at every 0.01 rad.
+bool splineIsClear(const CollisionWorld& world, const Joints& from, const PlannedPath& path,
                    const MotionLimits& limits) {
   const auto zero = Joints::Zero(from.size());
   const Trajectory motion = Trajectory::through({from, zero, zero}, path.waypoints, TimePoint{}, limits);
   const int samples = static_cast<int>(
       std::ceil(motion.duration().count() * limits.max_speed_rad_s.maxCoeff() / kSplineStep_rad));
   for (int i = 0; i <= samples; ++i)
-    if (planner.collides(motion.at(TimePoint{} + toClock(motion.duration() * (1.0 * i / samples))).q_rad))
+    if (world.collides(motion.at(TimePoint{} + toClock(motion.duration() * (1.0 * i / samples))).q_rad))
       return false;
   return true;
 }
@@ -133,7 +133,8 @@ void measureBlocked(Run& run, const Bench& bench) {
   const Timing checked = timed(count, [&](int i) {
     if (!paths[at(i)]) return;
     ++solved;
-    if (splineIsClear(planners[at(i)], asked[at(i)].from, *paths[at(i)], bench.limits)) ++smooth;
+    const CollisionWorld world(bench.arm, bench.attached, asked[at(i)].obstacles);
+    if (splineIsClear(world, asked[at(i)].from, *paths[at(i)], bench.limits)) ++smooth;
   });
   for (int i = 0; i < count; ++i)
     if (paths[at(i)])
