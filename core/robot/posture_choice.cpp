@@ -64,7 +64,8 @@ class Question {
   [[nodiscard]] std::optional<Joints> withinRanges() const {
     std::optional<Joints> best;
     double best_turn = std::numeric_limits<double>::infinity();
-    for (const ArmAngleRange& range : ArmAngleRanges(arm_, postures_, ranges_).usable()) {
+    const ArmAngleRanges arm_angles(arm_, postures_, ranges_);  // what usable() shows lies inside
+    for (const ArmAngleRange& range : arm_angles.usable()) {
       const double arm_angle = nearestIn(range);
       for (int branch = 0; branch < kSrsBranches; ++branch) {
         if ((range.branches >> branch & 1U) == 0) continue;
