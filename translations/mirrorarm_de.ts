@@ -1537,8 +1537,8 @@
         <translation>Keine.</translation>
     </message>
     <message>
-        <source>Simulation: cameras, robot and arms of this session were simulated.</source>
-        <translation>Simulation: Kameras, Roboter und Arme dieser Sitzung waren simuliert.</translation>
+        <source>Simulation: cameras and patient of this session were simulated, and the robot unless another one was chosen.</source>
+        <translation>Simulation: Kameras und Patient dieser Sitzung waren simuliert, und der Roboter, wenn kein anderer gewählt wurde.</translation>
     </message>
     <message>
         <source>How the figures are made</source>

@@ -15,7 +15,8 @@ constexpr int kGap_px = 10;
 QLabel* makeSimulationMark() {
   auto* mark = new QLabel(HeaderFrame::tr("SIMULATION"));
   mark->setObjectName(QStringLiteral("simulationMark"));
-  mark->setToolTip(HeaderFrame::tr("Robot, cameras and patient are simulated"));
+  mark->setToolTip(
+      HeaderFrame::tr("Cameras and patient are simulated, and the robot unless another one was chosen"));
   return mark;
 }
 

@@ -181,7 +181,8 @@ std::vector<Block> blocksOf(const ReportContents& contents) {
   std::vector<Block> blocks{titleBlock(contents)};
   if (contents.session.simulated)
     blocks.push_back(
-        noticeBlock(ReportBlocks::tr("Simulation: cameras, robot and arms of this session were simulated.")));
+        noticeBlock(ReportBlocks::tr("Simulation: cameras and patient of this session were simulated, and "
+                                     "the robot unless another one was chosen.")));
   blocks.push_back(figuresBlock(contents));
   addCharts(contents, blocks);
   addEvents(contents, blocks);
