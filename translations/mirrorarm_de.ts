@@ -763,8 +763,8 @@
         <translation>SIMULATION</translation>
     </message>
     <message>
-        <source>Robot, cameras and patient are simulated</source>
-        <translation>Roboter, Kameras und Patient sind simuliert</translation>
+        <source>Cameras and patient are simulated, and the robot unless another one was chosen</source>
+        <translation>Kameras und Patient sind simuliert, und der Roboter, wenn kein anderer gewählt wurde</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,8 @@
 #include "core/devices/replayed_frames.h"
 
+#include <algorithm>
 #include <vector>
 
-#include "core/common/quantile.h"
 #include "core/common/wait_until.h"
 
 namespace mirrorarm::devices {
@@ -13,7 +13,9 @@ double rateOf(const Recording& recording) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < recording.size(); ++i)
     intervals.push_back(secondsBetween(recording.exposedAt(i - 1), recording.exposedAt(i)));
-  return 1.0 / quantile(std::move(intervals), 0.5);
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>((intervals.size() - 1) / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return 1.0 / *middle;
 }
 
 }  // namespace
