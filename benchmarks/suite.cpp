@@ -25,7 +25,9 @@ bool isAsked(const Scenario& scenario, const RunOptions& options) {
 
 }  // namespace
 
-std::vector<Suite> suites() { return {calibration::suite(), robot::suite(), tracking::suite(), vision::suite()}; }
+std::vector<Suite> suites() {
+  return {calibration::suite(), robot::suite(), tracking::suite(), vision::suite()};
+}
 
 Report runSuite(const Suite& suite, const RunOptions& options) {
   refuseUnknown(suite, options);

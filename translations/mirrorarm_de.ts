@@ -2389,7 +2389,7 @@ Gestrichelt: teilweise verdeckt. Gepunktet mit ?: mehrere Partner möglich</tran
     </message>
     <message>
         <source>Joint acceleration</source>
-        <translation>Gelenkbeschleunigung</translation>
+        <translation>Gelenkbeschl.</translation>
     </message>
     <message>
         <source>Joint speed</source>
