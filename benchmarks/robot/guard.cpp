@@ -58,6 +58,32 @@ struct Tally {
 };
 
 /// One arm under the guard, started anew at random postures.
+/// The fastest end of what the hand carries.
+class HandWatch {
+ public:
+  HandWatch(const Kinematics& kinematics, const std::vector<Capsule>& attached)
+      : kinematics_(kinematics), attached_(attached) {}
+
+  /// In the cycle that led to `q` [m/s].
+  double look(const Joints& q) {
+    const RigidTransform X_BL = kinematics_.link(q, static_cast<int>(q.size()));
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < attached_.size(); ++i) {
+      const std::array<Eigen::Vector3d, 2> ends{X_BL * attached_[i].a, X_BL * attached_[i].b};
+      if (before_.size() == i) before_.push_back(ends);
+      for (std::size_t end = 0; end < ends.size(); ++end)
+        fastest = std::max(fastest, (ends[end] - before_[i][end]).norm() / kPeriod_s);
+      before_[i] = ends;
+    }
+    return fastest;
+  }
+
+ private:
+  const Kinematics& kinematics_;
+  const std::vector<Capsule>& attached_;
+  std::vector<std::array<Eigen::Vector3d, 2>> before_;
+};
+
 class Trial {
  public:
   explicit Trial(bool in_room)
@@ -70,6 +96,7 @@ class Trial {
     Mischief mischief(static_cast<unsigned>(trial) + 1U);
     last_ = restAt(freePosture(trial));
     watch_.restart(last_.q_rad);
+    hand_watch_.look(last_.q_rad);
     for (int cycle = 0; cycle < kCyclesATrial; ++cycle) {
       if (cycle % kCyclesAKind == 0)
         mischief.choose(static_cast<Mischief::Kind>((trial + cycle / kCyclesAKind) % Mischief::kKinds), 7);
@@ -93,7 +120,7 @@ class Trial {
   void step(const MotionState& wish, const Jacobian& J, Tally& tally) {
     const TimePoint start = Clock::now();
     const auto rows = clearance_.rows(last_.q_rad, restOf(last_, kPeriod_s));
-    const Surroundings around{J, rows, clearance_.zoneSpeed()};
+    const Surroundings around{J, rows, clearance_.zoneSpeed(), clearance_.hand()};
     const Guarded guarded = guardMotion(wish, last_, around, kPeriod_s, limits_);
     if (tally.cycles % 100 == 0) tally.call_us.push_back(1e6 * secondsBetween(start, Clock::now()));
     if (guarded.action != GuardAction::kPassed) ++tally.trimmed;
@@ -106,12 +133,13 @@ class Trial {
     bool past = !last_.q_rad.allFinite() || now.position_rad > kWayRounding || now.speed > kRounding ||
                 now.acceleration > kRounding || now.jerk > kRounding || now.tool_speed > kRounding ||
                 now.tool_acceleration > kRounding;
+    const double hand_m_s = hand_watch_.look(last_.q_rad);
     for (const ClearanceRow& row : watched_.rows(last_.q_rad, last_.q_rad)) {
       tally.least_gap_m = std::min(tally.least_gap_m, row.distance_m - row.minimum_m);
       past = past || row.distance_m < row.minimum_m - kWayRounding;
     }
     if (watched_.zoneSpeed() <= ClearanceSettings{}.head_speed_m_s) {
-      const double share = watch_.toolSpeed() / ClearanceSettings{}.head_speed_m_s;
+      const double share = std::max(watch_.toolSpeed(), hand_m_s) / ClearanceSettings{}.head_speed_m_s;
       tally.zone_speed = std::max(tally.zone_speed, share);
       past = past || share > kRounding;
     }
@@ -126,6 +154,7 @@ class Trial {
   Kinematics kinematics_{arm_};
   Clearance clearance_, watched_;
   WireWatch watch_{arm_, limits_, kPeriod_s};
+  HandWatch hand_watch_{kinematics_, attached_};
   Commanded last_;
 };
 

@@ -146,7 +146,8 @@ struct ServoLoop::Body {
     const MotionState* const goal = wished();
     const robot::Jacobian J = kinematics.jacobian(last.q_rad);
     const auto rows = clearance.rows(last.q_rad, restOf(last, period.count()));
-    const robot::Surroundings around{J, rows, clearance.zoneSpeed(), vitals.following_error_rad};
+    const robot::Surroundings around{J, rows, clearance.zoneSpeed(), clearance.hand(),
+                                     vitals.following_error_rad};
     const robot::MotionLimits& stopping = state.permit == Permit::kStop ? braking : limits;
     const robot::Guarded guarded =
         goal ? guardMotion(*goal, last, around, period.count(), soft_start.scaled(limits))

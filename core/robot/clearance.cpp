@@ -7,8 +7,9 @@ namespace mirrorarm::robot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNoChange = 1e-18;  // square of a gradient [m^2/rad^2]
-constexpr double kHeadLook_m = 1.0;  // farther off no head slows anything
+constexpr double kNoChange = 1e-18;       // square of a gradient [m^2/rad^2]
+constexpr double kHeadLook_m = 1.0;       // farther off no head slows anything
+constexpr double kFastestHand_m_s = 0.5;  // no profile lets it go so fast
 
 }  // namespace
 
@@ -68,10 +69,36 @@ std::span<const ClearanceRow> Clearance::rows(const Joints& here, const Joints& 
   head_m_ = kInfinity;
   for (const Joints* const q : {&here, &at_rest}) {
     shapes_.place(*q);
+    if (q == &here) noteHand();
     search();
     addRows(q == &at_rest);
   }
   return {rows_.data(), static_cast<std::size_t>(row_count_)};
+}
+
+void Clearance::noteHand() noexcept {
+  hand_count_ = 0;
+  for (int shape = 0; shape < shapes_.count(); ++shape) {
+    const Capsule& capsule = shapes_.capsule(shape);
+    if (capsule.part == ArmPart::kLink || hand_count_ + 2 > kMostHandPoints) continue;
+    const Segment& axis = shapes_.segment(shape);
+    const Eigen::Vector3d beyond = capsule.radius_m * (axis.b - axis.a).normalized();
+    for (const Eigen::Vector3d& end : {Eigen::Vector3d(axis.a - beyond), Eigen::Vector3d(axis.b + beyond)})
+      hand_[static_cast<std::size_t>(hand_count_++)] = jacobianOf(end);
+  }
+}
+
+Jacobian Clearance::jacobianOf(const Eigen::Vector3d& p_B) const noexcept {
+  Jacobian jacobian(6, shapes_.arm().jointCount());
+  for (int j = 0; j < shapes_.arm().jointCount(); ++j) {
+    const auto& [axis, origin] = shapes_.axis(j);
+    jacobian.col(j) << axis.cross(p_B - origin), axis;
+  }
+  return jacobian;
+}
+
+std::span<const Jacobian> Clearance::hand() const noexcept {
+  return {hand_.data(), zoneSpeed() < kFastestHand_m_s ? static_cast<std::size_t>(hand_count_) : 0};
 }
 
 double Clearance::zoneSpeed() const noexcept {

@@ -24,6 +24,7 @@ struct ClearanceSettings {
 /// allocates; one thread, it keeps work space.
 class Clearance {
  public:
+  static constexpr int kMostHandPoints = 8;
   static constexpr int kMostRows = 16;  ///< of each posture, those with the least room
 
   /// Looks at nothing.
@@ -38,8 +39,11 @@ class Clearance {
   /// What a row of the last call is about.
   [[nodiscard]] const ShapePair& pair(int row) const { return pairs_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] ContactKinds kinds(int row) const noexcept { return shapes_.kinds(pair(row)); }
-  /// Cap on the tool for the postures of the last call; infinite far from every head.
+  /// Cap on the hand for the postures of the last call; infinite far from every head.
   [[nodiscard]] double zoneSpeed() const noexcept;
+  /// Of the ends of what is attached to the flange, at `here` of the last call: kMostHandPoints of them at
+  /// most; none so far from every head that the cap cannot matter. Good until the next call.
+  [[nodiscard]] std::span<const Jacobian> hand() const noexcept;
 
   /// How much nearer any two may come there, negative where they are too near; infinite where all are farther
   /// apart than `look_m`.
@@ -53,6 +57,8 @@ class Clearance {
     [[nodiscard]] double room_m() const noexcept { return gap.distance_m - pair.keep_m; }
   };
 
+  void noteHand() noexcept;
+  [[nodiscard]] Jacobian jacobianOf(const Eigen::Vector3d& p_B) const noexcept;
   void search() noexcept;
   [[nodiscard]] bool isHead(const ShapePair& pair) const noexcept;
   void keep(const Found& found) noexcept;
@@ -67,6 +73,8 @@ class Clearance {
   std::array<ClearanceRow, 2 * static_cast<std::size_t>(kMostRows)> rows_;
   std::array<ShapePair, 2 * static_cast<std::size_t>(kMostRows)> pairs_;
   int row_count_ = 0;
+  std::array<Jacobian, static_cast<std::size_t>(kMostHandPoints)> hand_;
+  int hand_count_ = 0;
 };
 
 }  // namespace mirrorarm::robot

@@ -54,8 +54,10 @@ struct ClearanceRow {
 struct Surroundings {
   const Jacobian& jacobian;
   std::span<const ClearanceRow> clearances{};
-  double zone_speed_m_s = std::numeric_limits<double>::infinity();  ///< cap on the tool near the head
-  double following_error_rad = 0.0;                                 ///< commanded against measured
+  double zone_speed_m_s = std::numeric_limits<double>::infinity();  ///< cap on the whole hand near the head
+  /// Of points of the hand, as `jacobian` is of the flange's origin: near the head they keep the cap too.
+  std::span<const Jacobian> hand{};
+  double following_error_rad = 0.0;  ///< commanded against measured
 };
 
 struct Guarded {

@@ -100,10 +100,15 @@ class Shaper {
       share = std::min(share, shareOf(std::abs(v_[j]), kSpeedShare * limits_.max_speed_rad_s[j]));
     v_ *= share;
     const ToolCap cap = toolCap(check_.around(), limits_);
-    const double tool = toolOf(check_.around().jacobian, v_).norm();
-    if (tool <= kToolSpeedShare * cap.speed_m_s) return;
-    v_ *= shareOf(tool, kToolSpeedShare * cap.speed_m_s);
-    blame(cap.action);
+    keepBelow(check_.around().jacobian, cap.speed_m_s, cap.action);
+    for (const Jacobian& point : check_.around().hand)
+      keepBelow(point, handCap(check_.around()), GuardAction::kZoneSpeed);
+  }
+  void keepBelow(const Jacobian& point, double cap_m_s, GuardAction action) {
+    const double speed = toolOf(point, v_).norm();
+    if (speed <= kToolSpeedShare * cap_m_s) return;
+    v_ *= kToolSpeedShare * cap_m_s / speed;
+    blame(action);
   }
   [[nodiscard]] static double shareOf(double number, double limit) {
     return number > limit ? limit / number : 1.0;

@@ -57,6 +57,8 @@ ToolCap toolCap(const Surroundings& around, const MotionLimits& limits) {
   return {limits.max_tool_speed_m_s, GuardAction::kToolSpeed};
 }
 
+double handCap(const Surroundings& around) { return kZoneShare * around.zone_speed_m_s; }
+
 GuardCheck::GuardCheck(const Commanded& last, const Surroundings& around, double period_s,
                        const MotionLimits& limits)
     : last_(last),
@@ -78,6 +80,10 @@ GuardVerdict GuardCheck::step(const MotionState& next) const {
   const Eigen::Vector3d acceleration =
       toolOf(around_.jacobian, next.a_rad_s2) + 0.5 * (curved + tool_curvature_);
   if (isLonger(speed, kStep * cap_.speed_m_s)) return {cap_.action};
+  for (const Jacobian& point : around_.hand)
+    if (isLonger(toolOf(point, next.v_rad_s) + 0.5 * period_s_ * curvature(point, next.v_rad_s, next.v_rad_s),
+                 kStep * handCap(around_)))
+      return {GuardAction::kZoneSpeed};
   if (isLonger(acceleration, kStep * limits_.max_tool_acceleration_m_s2))
     return {GuardAction::kToolAcceleration};
   return {};
@@ -88,7 +94,8 @@ GuardVerdict GuardCheck::stop(const MotionState& start, const ToolMotion& tool_m
   const StopCourse course(stop, period_s_);
   GuardVerdict verdict = joints(start, stop, course);
   if (verdict.passed()) verdict = clearances(start, stop, course);
-  return verdict.passed() ? tool(tool_motion, course) : verdict;
+  if (verdict.passed()) verdict = tool(tool_motion, course);
+  return verdict.passed() ? hand(start, course) : verdict;
 }
 
 GuardVerdict GuardCheck::joints(const MotionState& start, const Stop& stop, const StopCourse& course) const {
@@ -144,6 +151,17 @@ GuardVerdict GuardCheck::tool(const ToolMotion& motion, const StopCourse& course
     return verdict.passed();
   }));
   return verdict;
+}
+
+GuardVerdict GuardCheck::hand(const MotionState& start, const StopCourse& course) const {
+  for (const Jacobian& point : around_.hand) {
+    const ToolMotion motion(point, start.v_rad_s, start.a_rad_s2, period_s_);
+    const bool kept = course.allOf([&](const Moment& moment) {
+      return !isLonger(motion.speed(moment), kSpeedAhead * handCap(around_));
+    });
+    if (!kept) return {GuardAction::kZoneSpeed};
+  }
+  return {};
 }
 
 }  // namespace mirrorarm::robot

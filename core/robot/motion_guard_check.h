@@ -15,12 +15,14 @@ struct GuardVerdict {
 /// Of two the graver one.
 [[nodiscard]] GuardVerdict graver(const GuardVerdict& one, const GuardVerdict& other);
 
-/// The cap on the tool that is in force, and its name.
+/// The cap on the flange that is in force, and its name.
 struct ToolCap {
   double speed_m_s = 0.0;
   GuardAction action = GuardAction::kToolSpeed;
 };
 [[nodiscard]] ToolCap toolCap(const Surroundings& around, const MotionLimits& limits);
+/// The cap on the hand's points.
+[[nodiscard]] double handCap(const Surroundings& around);
 
 /// Whether a state and the stop from it keep all limits. Lives for one cycle of the guard.
 class GuardCheck {
@@ -38,7 +40,7 @@ class GuardCheck {
   [[nodiscard]] MotionState next(const Joints& a_rad_s2) const;
   /// The flange in the very step from `last` to `next`.
   [[nodiscard]] GuardVerdict step(const MotionState& next) const;
-  /// `stop` from `start`, which is `last` or the state after it; `tool` at `start`.
+  /// `stop` from `start`, the state after `last`; `tool` at `start`.
   [[nodiscard]] GuardVerdict stop(const MotionState& start, const ToolMotion& tool, const Stop& stop) const;
   /// The same of the joints alone.
   [[nodiscard]] GuardVerdict joints(const MotionState& start, const Stop& stop) const {
@@ -53,6 +55,7 @@ class GuardCheck {
   [[nodiscard]] GuardVerdict clearances(const MotionState& start, const Stop& stop,
                                         const StopCourse& course) const;
   [[nodiscard]] GuardVerdict tool(const ToolMotion& motion, const StopCourse& course) const;
+  [[nodiscard]] GuardVerdict hand(const MotionState& start, const StopCourse& course) const;
 
   const Commanded& last_;
   const Surroundings& around_;

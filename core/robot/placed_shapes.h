@@ -62,6 +62,9 @@ class PlacedShapes {
   [[nodiscard]] ContactKinds kinds(const ShapePair& pair) const noexcept;
   [[nodiscard]] const ArmDescription& arm() const noexcept { return arm_; }
   [[nodiscard]] const Capsule& capsule(int shape) const noexcept { return at(shape).capsule; }
+  [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
+  /// The axis of a shape in base frame.
+  [[nodiscard]] const Segment& segment(int shape) const noexcept { return at(shape).segment; }
   [[nodiscard]] const Obstacle& obstacle(int obstacle) const noexcept {
     return barriers_[static_cast<std::size_t>(obstacle)].obstacle;
   }
