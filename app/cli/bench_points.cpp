@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "app/cli/command.h"
+#include "app/cli/method_option.h"
 #include "core/common/resources.h"
 #include "core/common/time_source.h"
 #include "core/simulation/bench.h"
@@ -23,12 +24,6 @@ simulation::BenchSettings settingsOf(std::uint64_t seed) {
   settings.resources = resourceFolder();
   settings.legs = station::legsOf(therapy::exerciseOf("reach").value());
   settings.seed = seed;
-  return settings;
-}
-
-vision::FinderSettings finderOf(vision::CentreMethod method) {
-  vision::FinderSettings settings;
-  settings.method = method;
   return settings;
 }
 

@@ -17,4 +17,10 @@ CLI::Option* addMethodOption(CLI::App& command, vision::CentreMethod& method) {
       ->check(known);
 }
 
+vision::FinderSettings finderOf(vision::CentreMethod method) {
+  vision::FinderSettings settings;
+  settings.method = method;
+  return settings;
+}
+
 }  // namespace mirrorarm::cli

@@ -27,12 +27,6 @@ class CloudSource final : public PointSource {
   std::vector<tracking::Cloud> clouds_;
 };
 
-vision::FinderSettings finderOf(vision::CentreMethod method) {
-  vision::FinderSettings settings;
-  settings.method = method;
-  return settings;
-}
-
 class RecordingSource final : public PointSource {
  public:
   RecordingSource(const std::filesystem::path& folder, vision::CentreMethod method)

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <algorithm>
 #include <cassert>
+#include <utility>
 #include <vector>
+
+#include "core/common/quantile.h"
 
 namespace mirrorarm::calibration {
 
 /// The middle value; of an even number the upper of the two. At least one value.
 [[nodiscard]] inline double median(std::vector<double> values) {
   assert(!values.empty());
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return quantile(std::move(values), 0.5);
 }
 
 }  // namespace mirrorarm::calibration

@@ -69,8 +69,8 @@ std::span<const ClearanceRow> Clearance::rows(const Joints& here, const Joints& 
   head_m_ = kInfinity;
   for (const Joints* const q : {&here, &at_rest}) {
     shapes_.place(*q);
-    if (q == &here) noteHand();
     search();
+    if (q == &here) noteHand();
     addRows(q == &at_rest);
   }
   return {rows_.data(), static_cast<std::size_t>(row_count_)};
@@ -78,6 +78,7 @@ std::span<const ClearanceRow> Clearance::rows(const Joints& here, const Joints& 
 
 void Clearance::noteHand() noexcept {
   hand_count_ = 0;
+  if (zoneSpeed() >= kFastestHand_m_s) return;
   for (int shape = 0; shape < shapes_.count(); ++shape) {
     const Capsule& capsule = shapes_.capsule(shape);
     if (capsule.part == ArmPart::kLink || hand_count_ + 2 > kMostHandPoints) continue;
@@ -98,7 +99,7 @@ Jacobian Clearance::jacobianOf(const Eigen::Vector3d& p_B) const noexcept {
 }
 
 std::span<const Jacobian> Clearance::hand() const noexcept {
-  return {hand_.data(), zoneSpeed() < kFastestHand_m_s ? static_cast<std::size_t>(hand_count_) : 0};
+  return {hand_.data(), static_cast<std::size_t>(hand_count_)};
 }
 
 double Clearance::zoneSpeed() const noexcept {
